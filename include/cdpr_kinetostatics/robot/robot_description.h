@@ -1,0 +1,44 @@
+// What a cable robot is: anchors, platform, cables. Immutable once loaded; one serves many threads.
+//
+// Frames (docs/conventions.md): world W, z up; platform P. Anchor A_i in W, attachment b_i in P.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+#include "cdpr_kinetostatics/robot/pose.h"
+
+namespace cdpr_kinetostatics {
+
+enum class PlatformType { kRigidBody, kPointMass };
+
+struct CableDescription {
+  std::string name;
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();      // A_i [m], world
+  Eigen::Vector3d attachment = Eigen::Vector3d::Zero();  // b_i [m], platform frame
+  CableProperties properties;
+  double tension_min = 0.0;  // [N], of T_A
+  double tension_max = 0.0;  // [N], of T_A
+};
+
+struct RobotDescription {
+  std::string name;
+  double gravity = 9.81;  // [m/s^2]
+  PlatformType type = PlatformType::kRigidBody;
+  double mass = 0.0;                                // [kg]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();    // [m], platform frame
+  Pose home;                                        // seed of the first solve
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();   // [m], drawing only
+  std::vector<CableDescription> cables;
+
+  int freedoms() const { return type == PlatformType::kPointMass ? 3 : 6; }
+  double weight() const { return mass * gravity; }  // [N]
+  // Largest distance between two anchors [m].
+  double span() const;
+  // Largest distance of an attachment from the platform origin [m]; 0 for a point mass.
+  double platformRadius() const;
+};
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,52 @@
+// The answer of forward and inverse kinetostatics: platform, cables, and the evidence for both.
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/cable_solution.h"
+#include "cdpr_kinetostatics/robot/pose.h"
+
+namespace cdpr_kinetostatics {
+
+enum class Condition { kTaut = 0, kSlack = 1, kCompressed = 2 };
+
+struct RobotSolverOptions {
+  Model model = Model::kBending;  // AUTO and CATENARY_CORRECTED: INVALID_INPUT
+  double tolerance = 1e-8;        // relative, as CableSolverOptions::tolerance
+  std::chrono::duration<double> timeout{0.1};
+  int profile_points = 0;          // of each cable; 0, or at least 2
+  bool compute_stiffness = false;  // forward only
+};
+
+struct SolveReport {
+  Status status;
+  Model model = Model::kDefault;  // finest rung used
+  int iterations = 0;
+  double solve_time = 0.0;         // [s]
+  double closure_residual = 0.0;   // largest distance of a cable's end from its attachment [m]
+  double force_residual = 0.0;     // norm of the unbalanced force [N]
+  double moment_residual = 0.0;    // norm of the unbalanced moment about the platform origin [N m]
+};
+
+struct CableResult {
+  std::string name;
+  Condition condition = Condition::kTaut;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();          // e_i, horizontal, from A_i to B_i, world
+  Eigen::Vector3d force_on_platform = Eigen::Vector3d::Zero();   // [N], world
+  CableSolution cable;                                           // in the cable's plane
+  std::vector<Eigen::Vector3d> profile;                          // world [m]; only if asked for
+};
+
+struct RobotSolution {
+  SolveReport report;
+  Pose pose;
+  std::vector<CableResult> cables;
+  // d(total wrench about the platform origin)/d(translation, rotation vector), world axes, at fixed
+  // unstrained lengths and external wrench; a point mass fills the leading 3x3 block.
+  Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+}  // namespace cdpr_kinetostatics

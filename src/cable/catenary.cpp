@@ -1,0 +1,166 @@
+#include "cdpr_kinetostatics/cable/catenary.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kMaxNewtonIterations = 100;
+
+// The quantities that every formula shares: vertical force u at A and v at B, tensions at both.
+struct Ends {
+  Ends(const CableProperties& cable, double h, double v_a, double length)
+      : u(v_a), v(v_a - cable.weight * length), t_a(std::hypot(h, u)), t_b(std::hypot(h, v)) {}
+  double u, v, t_a, t_b;
+};
+
+// Integral of ds/T. With r = q L/(T_A + T_B) it is (2/q) atanh(r); r -> 1 where the cable hangs as a
+// narrow loop, and there the logarithm is written with 1 - r in closed form.
+double inverseTensionIntegral(const CableProperties& cable, double h, const Ends& e, double length) {
+  const double sum = e.t_a + e.t_b;
+  const double r = cable.weight * length / sum;
+  if (r < 1e-4) return 2.0 * length / sum * (1.0 + r * r / 3.0);
+  if (r < 0.5) return 2.0 / cable.weight * std::atanh(r);
+  const double above_a = e.u > 0.0 ? e.t_a + e.u : h * h / (e.t_a - e.u);
+  const double above_b = e.v > 0.0 ? e.t_b + e.v : h * h / (e.t_b - e.v);
+  return std::log(above_a / above_b) / cable.weight;
+}
+
+// Integral of H^2/T^3 ds = [u/T]/q.
+double curvatureIntegral(const CableProperties& cable, double h, const Ends& e, double length) {
+  if (e.u * e.v < 0.0 && h * h < -e.u * e.v) return (e.u / e.t_a - e.v / e.t_b) / cable.weight;
+  return length * (e.t_a + e.t_b) * h * h / (e.t_a * e.t_b * (h * h + e.t_a * e.t_b + e.u * e.v));
+}
+
+// Tension of a taut cable: stretch plus the parabola's sag make up for the excess of the chord.
+double tautTension(const CableProperties& cable, double length, double x, double chord) {
+  const double excess = chord / length - 1.0;
+  const double weight = cable.weight * x;
+  const double sag = chord / length * weight * weight / 24.0;
+  double t = std::max(excess * cable.axial_stiffness, std::sqrt(sag / std::max(std::abs(excess), 1e-12)));
+  if (!std::isfinite(t)) t = std::sqrt(sag / std::abs(excess));
+  t = std::max({t, std::cbrt(std::isfinite(cable.axial_stiffness) ? sag * cable.axial_stiffness : 0.0), 1e-300});
+  for (int i = 0; i < 60; ++i) {  // increasing and concave in T from the right of the root: monotone after one step
+    const double f = t / cable.axial_stiffness - sag / (t * t) - excess;
+    const double df = 1.0 / cable.axial_stiffness + 2.0 * sag / (t * t * t);
+    const double next = std::max(0.1 * t, t - f / df);
+    if (std::abs(next - t) < 1e-6 * t) return next;
+    t = next;
+  }
+  return t;
+}
+
+// Inextensible catenary: sinh(xi)/xi = sqrt(L^2 - w^2)/x, xi = q x/(2 H).
+ForcesAtA inextensibleForces(double weight, double length, double x, double w) {
+  const double ratio = std::sqrt((length - w) * (length + w)) / x;
+  double xi = ratio < 3.0 ? std::sqrt(6.0 * (ratio - 1.0)) : std::log(2.0 * ratio) + std::log(std::log(2.0 * ratio));
+  for (int i = 0; i < 60; ++i) {  // on log(sinh(xi)/xi), convex
+    const double log_sinhc = xi < 1e-3 ? xi * xi / 6.0 : xi + std::log(-std::expm1(-2.0 * xi) / (2.0 * xi));
+    const double slope = xi < 1e-3 ? xi / 3.0 : 1.0 / std::tanh(xi) - 1.0 / xi;
+    const double step = (log_sinhc - std::log(ratio)) / slope;
+    xi = std::max(0.1 * xi, xi - step);
+    if (std::abs(step) < 1e-10 * xi) break;
+  }
+  return {weight * x / (2.0 * xi), 0.5 * weight * (length - w / std::tanh(xi))};
+}
+
+// x = 0: the cable hangs along the vertical, w(V) is piecewise linear and decreasing.
+std::optional<ForcesAtA> verticalForces(const CableProperties& cable, double length, double w) {
+  const double half = 0.5 * cable.weight * length;
+  const double compliance = length / cable.axial_stiffness;
+  if (std::isinf(cable.axial_stiffness) && std::abs(w) >= length) return std::nullopt;
+  if (cable.weight > 0.0) {
+    const double slack = (half * compliance + length - w) / (compliance + 2.0 / cable.weight);
+    if (slack >= 0.0 && slack <= 2.0 * half) return ForcesAtA{0.0, slack};
+  }
+  const double taut = std::abs(w) - length;
+  if (cable.weight == 0.0 && taut <= 0.0) return std::nullopt;
+  return ForcesAtA{0.0, half - std::copysign(taut / compliance, w)};
+}
+
+ForcesAtA initialForces(const CableProperties& cable, double length, double x, double w) {
+  const double chord = std::hypot(x, w);
+  const double t = tautTension(cable, length, x, chord);
+  if (length > chord && cable.weight * x > 1.5 * t) return inextensibleForces(cable.weight, length, x, w);
+  return {t * x / chord, -t * w / chord + 0.5 * cable.weight * length};
+}
+
+}  // namespace
+
+EndPoint catenaryEnd(const CableProperties& cable, double h, double v_a, double length) {
+  const Ends e(cable, h, v_a, length);
+  const double sum = e.t_a + e.t_b;
+  const double inverse_tension = inverseTensionIntegral(cable, h, e, length);
+  const double curvature = curvatureIntegral(cable, h, e, length);
+  const double axial = length / cable.axial_stiffness;
+  const double coupling = h * length * (e.u + e.v) / (e.t_a * e.t_b * sum);
+  const double stretch_b = 1.0 / cable.axial_stiffness + 1.0 / e.t_b;
+
+  EndPoint end;
+  end.position << h * (axial + inverse_tension), -0.5 * (e.u + e.v) * (axial + 2.0 * length / sum);
+  end.jacobian << axial + inverse_tension - curvature, -coupling, h * stretch_b,  //
+      coupling, -axial - curvature, -e.v * stretch_b;
+  return end;
+}
+
+double catenaryHorizontalCompliance(const CableProperties& cable, double h, double v_a, double length) {
+  return length / cable.axial_stiffness + inverseTensionIntegral(cable, h, Ends(cable, h, v_a, length), length);
+}
+
+double catenaryAngle(const CableProperties& cable, double h, double v_a, double s) {
+  return std::atan2(cable.weight * s - v_a, h);
+}
+
+double catenaryStrainedLength(const CableProperties& cable, double h, double v_a, double length) {
+  const Ends e(cable, h, v_a, length);
+  const double sum = e.t_a + e.t_b;
+  if (sum == 0.0) return length;
+  const double loop = h == 0.0 ? 0.0 : h * h * inverseTensionIntegral(cable, h, e, length);
+  const double mean = 0.5 * length * (sum + (e.u + e.v) * (e.u + e.v) / sum);
+  return length + 0.5 * (mean + loop) / cable.axial_stiffness;
+}
+
+std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double w,
+                                        int* iterations) {
+  const double chord = std::hypot(x, w);
+  if (iterations != nullptr) *iterations = 0;
+  if (std::isinf(cable.axial_stiffness) && chord >= length) return std::nullopt;
+  if (cable.weight == 0.0 && chord <= length) return std::nullopt;
+  if (x == 0.0) return verticalForces(cable, length, w);
+
+  // f = (H, -V); the end point (x, w) is the gradient of the complementary energy with respect to f.
+  ForcesAtA forces = initialForces(cable, length, x, w);
+  EndPoint end = catenaryEnd(cable, forces.horizontal, forces.vertical, length);
+  double last_step = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= kMaxNewtonIterations; ++i) {
+    if (iterations != nullptr) *iterations = i;
+    const Eigen::Vector2d defect(x - end.position.x(), w - end.position.y());
+    const Eigen::Matrix2d compliance = end.jacobian.leftCols<2>();
+    const Eigen::Vector2d step = compliance.inverse() * defect;  // of (H, V)
+    if (!step.allFinite()) return std::nullopt;
+    const double tension = std::hypot(forces.horizontal, forces.vertical) + cable.weight * length;
+    const double size = step.norm();
+    const double slope = defect.dot(Eigen::Vector2d(step.x(), -step.y()));
+
+    double t = 1.0;
+    if (forces.horizontal + step.x() < 0.1 * forces.horizontal) t = -0.9 * forces.horizontal / step.x();
+    for (;; t *= 0.5) {
+      const ForcesAtA trial{forces.horizontal + t * step.x(), forces.vertical + t * step.y()};
+      end = catenaryEnd(cable, trial.horizontal, trial.vertical, length);
+      const Eigen::Vector2d left(x - end.position.x(), w - end.position.y());
+      const bool overshoot = -left.dot(Eigen::Vector2d(step.x(), -step.y())) > 0.9 * slope;
+      if (!overshoot || t < 1e-6 || size < 1e-9 * tension) {
+        forces = trial;
+        break;
+      }
+    }
+    if (size <= 1e-15 * tension || (size < 1e-7 * tension && size >= 0.5 * last_step)) return forces;
+    last_step = size;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,253 @@
+#include "cdpr_kinetostatics/cable/bending.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kMaxNewtonIterations = 40;
+constexpr int kMaxPathSteps = 400;
+constexpr int kMaxPositionIterations = 60;
+
+// Node angles move at most this much in one Newton step [rad].
+constexpr double kMaxAngleStep = 0.7;
+
+// Below this angle change the integration steps are frozen, and Newton's method converges to rounding.
+constexpr double kFreezeBelow = 1e-3;
+
+// A shape that turns by more than this has a loop in it. The largest turn without one is the teardrop of a
+// weightless elastica whose ends touch, 261 degrees.
+constexpr double kLoopAngle = 1.65 * M_PI;
+
+// The catenary is a safe start where it spans this many bending layers ...
+constexpr double kSafeLayers = 40.0;
+// ... and its sharpest bend, radius R, satisfies (lambda/R)^2 below this.
+constexpr double kSafeBend = 0.01;
+// Beyond this bend the catenary is not tried as a direct start.
+constexpr double kSharpBend = 1.0;
+
+// Forces are told apart down to this share of the cable's buckling load.
+constexpr double kLeastForce = 1e-3;
+
+// What the outer problem asks of a Newton iteration.
+enum class Goal { kEndPoint, kForces };
+
+struct NewtonTarget {
+  Goal goal = Goal::kEndPoint;
+  double length = 0.0;
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();  // (x, w), for kEndPoint
+};
+
+// (lambda/R)^2 at the point of the catenary that bends most.
+double sharpestBend(const CableProperties& cable, double length, const ForcesAtA& f) {
+  const bool bottom_inside = f.vertical > 0.0 && f.vertical < cable.weight * length;
+  const double v = bottom_inside ? 0.0 : std::min(std::abs(f.vertical), std::abs(f.vertical - cable.weight * length));
+  const double t = std::hypot(f.horizontal, v);
+  const double turn = cable.weight * f.horizontal / (t * t);
+  if (t == 0.0) return std::numeric_limits<double>::infinity();
+  return cable.bending_stiffness / t * turn * turn;
+}
+
+BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options, int max_iterations,
+                      MultipleShooting* shooting) {
+  BendingOutcome outcome;
+  bool adapt = true;
+  double last_size = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < max_iterations; ++i) {
+    if (std::chrono::steady_clock::now() > options.deadline) {
+      outcome.status = {Code::kTimedOut, "the time allowed ran out while joining the cable's segments"};
+      return outcome;
+    }
+    ++outcome.iterations;
+    if (!shooting->linearise(adapt)) break;
+    Eigen::Vector3d change(0.0, 0.0, target.length - shooting->length());
+    if (target.goal == Goal::kEndPoint) {
+      const Eigen::Matrix<double, 2, 3>& jacobian = shooting->end().jacobian;
+      const Eigen::Vector2d defect = target.end - shooting->end().position - jacobian.col(2) * change.z();
+      change.head<2>() = jacobian.leftCols<2>().inverse() * defect;
+      outcome.closure_residual = defect.norm();
+    }
+    if (!change.allFinite()) break;
+    const double tension = std::max(std::hypot(shooting->horizontalForce(), shooting->verticalForceA()),
+                                    kLeastForce * shooting->bucklingForce());
+    const double angle = shooting->angleChange(change);
+    const double size = std::max(angle, change.head<2>().norm() / tension);
+    const double damping = std::min(1.0, kMaxAngleStep / angle);
+    const bool at_rounding = outcome.closure_residual <= 1e-14 * target.length && angle <= options.tolerance;
+    const bool stalled = size >= 0.5 * last_size && size < 1e-5;
+    if (!adapt && (size <= options.tolerance || (stalled && at_rounding))) {
+      shooting->step(change, damping);
+      outcome.status.code = Code::kConverged;
+      return outcome;
+    }
+    shooting->step(change, damping);
+    adapt = size > kFreezeBelow;
+    last_size = size;
+  }
+  outcome.status = {Code::kNotConverged, "Newton's method did not join the cable's segments"};
+  return outcome;
+}
+
+// The sagging branch, free of loops, and stable.
+bool onBranch(const MultipleShooting& shooting) {
+  const double length = shooting.length();
+  if (!shooting.stable() || shooting.areaBelowChord() < -1e-10 * length * length) return false;
+  return std::abs(shooting.turning()) < kLoopAngle;
+}
+
+// A point of the path along which a safe problem becomes the one asked for.
+struct PathPoint {
+  CableProperties cable;
+  double x = 0.0;
+};
+
+PathPoint between(const PathPoint& a, const PathPoint& b, double share) {
+  PathPoint p = b;
+  p.cable.bending_stiffness =
+      a.cable.bending_stiffness * std::pow(b.cable.bending_stiffness / a.cable.bending_stiffness, share);
+  p.cable.weight = a.cable.weight + share * (b.cable.weight - a.cable.weight);
+  p.x = a.x + share * (b.x - a.x);
+  return p;
+}
+
+// A problem whose answer is close to its catenary, at the same length and height difference.
+std::optional<PathPoint> safeStart(const CableProperties& cable, double length, double x, double w, ForcesAtA* forces) {
+  PathPoint start{cable, x};
+  const double chord = std::hypot(x, w);
+  if (length > 1.001 * chord) start.x = std::max(x, 0.6 * std::sqrt((length - w) * (length + w)));
+  const double light = std::min(cable.bending_stiffness / std::pow(length, 3), 1e-4 * cable.axial_stiffness / length);
+  start.cable.weight = std::max(cable.weight, light);
+  const std::optional<ForcesAtA> catenary = catenaryForces(start.cable, length, start.x, w);
+  if (!catenary || (catenary->horizontal == 0.0 && catenary->vertical >= 0.0 &&
+                    catenary->vertical <= start.cable.weight * length)) {
+    return std::nullopt;
+  }
+  *forces = *catenary;
+  const double tension = std::hypot(forces->horizontal, forces->vertical);
+  const double by_layers = tension * std::pow(length / kSafeLayers, 2);
+  const double bend = sharpestBend(start.cable, length, *forces);
+  const double by_bend = bend > 0.0 ? cable.bending_stiffness * kSafeBend / bend : by_layers;
+  start.cable.bending_stiffness = std::min({cable.bending_stiffness, by_layers, by_bend});
+  return start;
+}
+
+BendingOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double w,
+                                    const BendingOptions& options, MultipleShooting* shooting) {
+  BendingOutcome outcome;
+  ForcesAtA forces;
+  const std::optional<PathPoint> start = safeStart(cable, length, x, w, &forces);
+  if (!start) {
+    outcome.status = {Code::kNotConverged, "no catenary to start from"};
+    return outcome;
+  }
+  const PathPoint goal{cable, x};
+  shooting->start(start->cable, length, forces.horizontal, forces.vertical, options.tolerance);
+  outcome = newton({Goal::kEndPoint, length, {start->x, w}}, options, kMaxNewtonIterations, shooting);
+  if (!outcome.status.ok()) return outcome;
+
+  MultipleShooting last = *shooting;
+  double share = 0.0;
+  double step = 0.25;
+  for (int i = 0; i < kMaxPathSteps && share < 1.0; ++i) {
+    const double next = std::min(1.0, share + step);
+    const PathPoint point = between(*start, goal, next);
+    shooting->changeProperties(point.cable);
+    const BendingOutcome local = newton({Goal::kEndPoint, length, {point.x, w}}, options, 12, shooting);
+    outcome.iterations += local.iterations;
+    outcome.closure_residual = local.closure_residual;
+    if (local.status.code == Code::kTimedOut) {
+      outcome.status = local.status;
+      return outcome;
+    }
+    if (local.status.ok() && onBranch(*shooting)) {
+      last = *shooting;
+      share = next;
+      step *= 1.7;
+    } else {
+      *shooting = last;
+      step *= 0.4;
+      if (step < 1e-5) break;
+    }
+  }
+  if (share < 1.0) {
+    outcome.status = {Code::kNotConverged,
+                      "the sagging equilibrium was lost on the way from the catenary to this bending stiffness"};
+  }
+  return outcome;
+}
+
+bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f) {
+  return f.horizontal > 0.0 || (f.horizontal == 0.0 && (f.vertical < 0.0 || f.vertical > cable.weight * length));
+}
+
+// Problem 1 through problem 2: moves the end point until the forces are those asked for.
+BendingOutcome moveEndToForces(const CableProperties& cable, double length, const ForcesAtA& forces,
+                               const BendingOptions& options, MultipleShooting* shooting) {
+  const double balance = cable.weight > 0.0 ? length - 2.0 * forces.vertical / cable.weight : 0.0;
+  Eigen::Vector2d end(0.0, std::clamp(balance, -0.9 * length, 0.9 * length));
+  end.x() = 0.5 * std::sqrt(length * length - end.y() * end.y());
+  BendingOutcome outcome = solveBendingForces(cable, length, end.x(), end.y(), options, shooting);
+  const double scale = std::max(std::hypot(forces.horizontal, forces.vertical), cable.weight * length);
+  for (int i = 0; i < kMaxPositionIterations && outcome.status.ok(); ++i) {
+    const Eigen::Vector2d missing(forces.horizontal - shooting->horizontalForce(),
+                                  forces.vertical - shooting->verticalForceA());
+    if (missing.norm() <= 1e-3 * scale) {
+      const BendingOutcome last = newton({Goal::kForces, length, {}}, options, kMaxNewtonIterations, shooting);
+      static_cast<void>(last);
+      break;
+    }
+    Eigen::Vector2d step = shooting->end().jacobian.leftCols<2>() * missing;
+    step *= std::min(1.0, 0.1 * length / step.norm());
+    if (end.x() + step.x() < 0.0) step *= 0.5 * end.x() / -step.x();
+    end += step;
+    const BendingOutcome local = followBendingForces(length, end.x(), end.y(), options, shooting);
+    outcome.iterations += local.iterations;
+    outcome.status = local.status;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double w,
+                                  const BendingOptions& options, MultipleShooting* shooting) {
+  BendingOutcome outcome;
+  if (std::isinf(cable.axial_stiffness) && std::hypot(x, w) >= length) {
+    outcome.status = {Code::kInfeasible, "an inextensible cable must be longer than the distance of its ends"};
+    return outcome;
+  }
+  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, w);
+  if (catenary && hasTension(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
+    shooting->start(cable, length, catenary->horizontal, catenary->vertical, options.tolerance);
+    outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
+    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onBranch(*shooting))) return outcome;
+  }
+  const int direct_iterations = outcome.iterations;
+  outcome = continueFromCatenary(cable, length, x, w, options, shooting);
+  outcome.iterations += direct_iterations;
+  return outcome;
+}
+
+BendingOutcome followBendingForces(double length, double x, double w, const BendingOptions& options,
+                                   MultipleShooting* shooting) {
+  BendingOutcome outcome = newton({Goal::kEndPoint, length, {x, w}}, options, 12, shooting);
+  if (outcome.status.ok() && !onBranch(*shooting)) {
+    outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
+  }
+  return outcome;
+}
+
+BendingOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
+                                    const BendingOptions& options, MultipleShooting* shooting) {
+  if (hasTension(cable, length, forces) && sharpestBend(cable, length, forces) < kSharpBend) {
+    shooting->start(cable, length, forces.horizontal, forces.vertical, options.tolerance);
+    const BendingOutcome outcome = newton({Goal::kForces, length, {}}, options, kMaxNewtonIterations, shooting);
+    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onBranch(*shooting))) return outcome;
+  }
+  return moveEndToForces(cable, length, forces, options, shooting);
+}
+
+}  // namespace cdpr_kinetostatics

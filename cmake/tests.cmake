@@ -1,0 +1,45 @@
+# Unit tests test/<layer>/<name>_test.cpp become the targets <layer>_<name>_test; test/ros/*.test are rostests.
+
+file(GLOB test_support_sources CONFIGURE_DEPENDS test/support/*.cpp)
+if(test_support_sources)
+  add_library(cdpr_test_support STATIC EXCLUDE_FROM_ALL ${test_support_sources})
+  target_include_directories(cdpr_test_support PUBLIC test/support)
+  target_link_libraries(cdpr_test_support cdpr_kinetostatics)
+  cdpr_compile_options(cdpr_test_support)
+endif()
+
+function(cdpr_test_target target)
+  target_include_directories(${target} PRIVATE test/support)
+  target_compile_definitions(${target} PRIVATE
+    SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}"
+    ROBOT_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/robots"
+    TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/golden")
+  if(TARGET cdpr_test_support)
+    target_link_libraries(${target} cdpr_test_support)
+  endif()
+  target_link_libraries(${target} gtest_main gtest)
+  cdpr_compile_options(${target})
+endfunction()
+
+foreach(layer cable residuals robot ros)
+  file(GLOB test_sources CONFIGURE_DEPENDS test/${layer}/*_test.cpp)
+  foreach(test_source ${test_sources})
+    get_filename_component(name ${test_source} NAME_WE)
+    set(target ${layer}_${name})
+    catkin_add_gtest(${target} ${test_source})
+    if(layer STREQUAL ros)
+      target_link_libraries(${target} cdpr_kinetostatics_ros)
+    else()
+      target_link_libraries(${target} cdpr_kinetostatics)
+    endif()
+    cdpr_test_target(${target})
+  endforeach()
+endforeach()
+
+# test/ros/<name>.test runs the executable of test/ros/<name>_rostest.cpp.
+foreach(name)
+  add_rostest_gtest(${name}_rostest test/ros/${name}.test test/ros/${name}_rostest.cpp)
+  target_link_libraries(${name}_rostest cdpr_kinetostatics_ros)
+  add_dependencies(${name}_rostest kinetostatics_node)
+  cdpr_test_target(${name}_rostest)
+endforeach()

@@ -17,11 +17,16 @@ struct KeyRule {
 };
 
 constexpr KeyRule kRules[] = {
-    {"axial_stiffness", Range::kPositive, "N"},        {"bending_stiffness", Range::kNonNegative, "N m^2"},
-    {"linear_density", Range::kNonNegative, "kg/m"},   {"radius", Range::kPositive, "m"},
-    {"diameter", Range::kPositive, "m"},               {"youngs_modulus", Range::kPositive, "Pa"},
-    {"density", Range::kNonNegative, "kg/m^3"},        {"fill_factor", Range::kFraction, ""},
-    {"tension_min", Range::kNonNegative, "N"},         {"tension_max", Range::kPositive, "N"},
+    {"axial_stiffness", Range::kPositive, "N"},
+    {"bending_stiffness", Range::kNonNegative, "N m^2"},
+    {"linear_density", Range::kNonNegative, "kg/m"},
+    {"radius", Range::kPositive, "m"},
+    {"diameter", Range::kPositive, "m"},
+    {"youngs_modulus", Range::kPositive, "Pa"},
+    {"density", Range::kNonNegative, "kg/m^3"},
+    {"fill_factor", Range::kFraction, ""},
+    {"tension_min", Range::kNonNegative, "N"},
+    {"tension_max", Range::kPositive, "N"},
 };
 
 std::optional<GivenNumber> find(const CableKeys& keys, const std::string& key) {

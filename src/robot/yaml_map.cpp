@@ -1,5 +1,6 @@
 #include "yaml_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -44,6 +45,7 @@ std::string quote(const YAML::Node& node) {
   YAML::Emitter emitter;
   emitter << YAML::Flow << node;
   std::string text = emitter.c_str();
+  std::replace(text.begin(), text.end(), '\n', ' ');
   if (text.size() > kLongestQuote) text = text.substr(0, kLongestQuote) + "...";
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <ios>
 #include <set>
 #include <stdexcept>
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double kLeastChord = 1e-6;  // [m], between anchor and attachment at home
 
 // Keys of oKermorgant/cdpr files that only its Gazebo simulation needs.
-const std::set<std::string> kSimulationRoot = {"frame", "model"};
+const std::set<std::string> kSimulationRoot = {"frame", "sim_cables"};
 const std::set<std::string> kSimulationJoints = {"passive"};
 const std::set<std::string> kSimulationActuated = {"velocity", "damping", "max"};
 const std::set<std::string> kSimulationPlatform = {"inertia", "color", "visual"};
@@ -170,6 +171,8 @@ LoadedRobot loadRobotFile(const std::string& path) {
   try {
     return parse(YAML::LoadFile(path), fileStem(path));
   } catch (const YAML::BadFile&) {
+    throw std::invalid_argument(path + ": expected a file that can be read");
+  } catch (const std::ios_base::failure&) {  // a directory
     throw std::invalid_argument(path + ": expected a file that can be read");
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": expected YAML; " + error.what());

@@ -213,6 +213,7 @@ points:
 - {frame: [-2.0, 2.0, 4.0], platform: [-0.2, 0.2, 0.0]}
 - {frame: [2.0, 2.0, 4.0], platform: [0.2, 0.2, 0.0]}
 - {frame: [2.0, -2.0, 4.0], platform: [0.2, -0.2, 0.0]}
+sim_cables: true
 )";
 
 TEST(GazeboRobot, LoadsOnceCablePropertiesAreAdded) {
@@ -231,7 +232,7 @@ TEST(GazeboRobot, LoadsOnceCablePropertiesAreAdded) {
 
   ASSERT_EQ(loaded.warnings.size(), 2u);
   EXPECT_EQ(loaded.warnings[0], "cable.mass is ignored: it is the mass of a simulated link; give linear_density");
-  for (const char* path : {"frame", "joints.passive", "joints.actuated.velocity", "platform.inertia"}) {
+  for (const char* path : {"frame", "sim_cables", "joints.passive", "joints.actuated.velocity", "platform.inertia"}) {
     EXPECT_TRUE(contains(loaded.warnings[1], path)) << loaded.warnings[1];
   }
 }

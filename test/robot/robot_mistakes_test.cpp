@@ -136,14 +136,18 @@ TEST(RobotDescription, NotAMapIsAnError) {
   EXPECT_EQ(complaint(YAML::Node()), "robot = nothing: expected a map of keys");
 }
 
-TEST(RobotDescription, FileErrorsNameTheFile) {
+class BadFile : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadFile, IsNamed) {
   try {
-    loadRobotFile("/nowhere/robot.yaml");
-    FAIL() << "a file that does not exist was read";
+    loadRobotFile(GetParam());
+    FAIL() << GetParam() << " was read";
   } catch (const std::invalid_argument& error) {
-    EXPECT_TRUE(contains(error.what(), "/nowhere/robot.yaml")) << error.what();
+    EXPECT_TRUE(contains(error.what(), GetParam() + ": expected")) << error.what();
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, BadFile, testing::Values("/nowhere/robot.yaml", ROBOT_DIR, __FILE__));
 
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -100,7 +100,7 @@ EndPoint catenaryEnd(const CableProperties& cable, double h, double v_a, double 
   const double stretch_b = 1.0 / cable.axial_stiffness + 1.0 / e.t_b;
 
   EndPoint end;
-  end.position << h * (axial + inverse_tension), -0.5 * (e.u + e.v) * (axial + 2.0 * length / sum);
+  end.position << (h == 0.0 ? 0.0 : h * (axial + inverse_tension)), -0.5 * (e.u + e.v) * (axial + 2.0 * length / sum);
   end.jacobian << axial + inverse_tension - curvature, -coupling, h * stretch_b,  //
       coupling, -axial - curvature, -e.v * stretch_b;
   return end;

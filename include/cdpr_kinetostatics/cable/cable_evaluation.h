@@ -1,0 +1,28 @@
+// From solved forces to a full CableSolution: measures, Jacobians, profile. Shared by the single-cable
+// problems and the robot's solvers.
+#pragma once
+
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+#include "cdpr_kinetostatics/cable/cable_solution.h"
+#include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/multiple_shooting.h"
+
+namespace cdpr_kinetostatics {
+
+// The properties that the model sees: an infinite axial stiffness for the inextensible rungs, no bending
+// stiffness below the bending rungs.
+CableProperties asSeenBy(Model model, const CableProperties& cable);
+
+// d(H, V)/d(x, w, L) from the end point's Jacobian; zero where forces do not follow from the geometry.
+Eigen::Matrix<double, 2, 3> forceJacobian(const EndPoint& end);
+
+// Describes a straight or catenary cable under the forces (H, V) at A. For a straight cable without
+// tension the end (x, w) says where it points.
+CableSolution describeClosedForm(const CableProperties& cable, Model model, double length, double horizontal_force,
+                                 double vertical_force_a, double x, double w, int profile_points);
+
+// Describes the converged bending cable that shooting holds.
+CableSolution describeBending(const CableProperties& cable, Model model, const MultipleShooting& shooting,
+                              int profile_points);
+
+}  // namespace cdpr_kinetostatics

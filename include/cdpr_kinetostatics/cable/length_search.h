@@ -1,0 +1,40 @@
+// Problem 3 for every model: lengths at which the tension at A has a given value.
+//
+// The tension of a cable between two fixed ends falls from infinity as the cable gets longer, reaches a
+// least value, and rises again as the cable's own weight takes over; with bending it may fall and rise
+// twice (docs/theory.md section 1). So the curve T_A(L) is followed from its taut side: Newton's method
+// where the curve falls towards the tension asked for, growing steps elsewhere, bisection in between.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+namespace cdpr_kinetostatics {
+
+struct TensionSample {
+  double length = 0.0;   // [m]
+  double tension = 0.0;  // T_A [N]
+  double slope = 0.0;    // dT_A/dL [N/m]
+};
+
+// Problem 2 at a length; empty if it could not be solved there (the search then ends).
+using TensionCurve = std::function<std::optional<TensionSample>(double length)>;
+
+struct LengthSearch {
+  double tension = 0.0;    // asked for [N]
+  double chord = 0.0;      // [m]
+  double shortest = 0.0;   // search from here: T_A must be above the tension asked for [m]
+  double longest = 0.0;    // to here [m]
+  double hint = 0.0;       // the root nearest to it is wanted, if positive; else the shortest
+  double tolerance = 1e-9;  // relative, of the tension
+};
+
+struct LengthFound {
+  std::optional<double> length;
+  double least_tension = 0.0;  // least T_A seen [N]
+  bool complete = true;        // false: the curve could not be followed to the end
+};
+
+LengthFound searchLength(const TensionCurve& curve, LengthSearch search);
+
+}  // namespace cdpr_kinetostatics

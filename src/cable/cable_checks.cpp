@@ -1,0 +1,73 @@
+#include "cable_checks.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+Status invalid(const std::string& message) { return {Code::kInvalidInput, message}; }
+const Status kFine{Code::kConverged, ""};
+
+}  // namespace
+
+std::string named(const char* name, double value, const char* unit) {
+  std::ostringstream text;
+  text.precision(9);
+  text << name << " = " << value;
+  if (*unit != '\0') text << " " << unit;
+  return text.str();
+}
+
+Status checkModel(Model model) {
+  if (isStraight(model) || isCatenary(model) || isBending(model)) return kFine;
+  return invalid(std::string("model '") + modelName(model) +
+                 "' is not available; choose straight, straight_elastic, catenary_inextensible, catenary, "
+                 "bending_inextensible or bending");
+}
+
+Status checkOptions(const CableSolverOptions& options) {
+  if (!(options.tolerance >= 1e-13 && options.tolerance <= 0.1)) {
+    return invalid(named("tolerance", options.tolerance, "") + " must lie between 1e-13 and 0.1");
+  }
+  if (options.profile_points < 0 || options.profile_points == 1 || options.profile_points > 100000) {
+    return invalid(named("profile_points", options.profile_points, "") + " must be 0, or between 2 and 100000");
+  }
+  return checkModel(options.model);
+}
+
+Status checkCable(const CableProperties& cable, Model model) {
+  if (!isInextensible(model) && !(cable.axial_stiffness > 0.0)) {
+    return invalid(named("axial stiffness", cable.axial_stiffness, "N") + " must be positive");
+  }
+  if (!(cable.weight >= 0.0 && cable.weight <= kLargestForce)) {
+    return invalid(named("weight per metre", cable.weight, "N/m") + " must be zero or positive and finite");
+  }
+  if (!(cable.bending_stiffness >= 0.0 && std::isfinite(cable.bending_stiffness))) {
+    return invalid(named("bending stiffness", cable.bending_stiffness, "N m^2") + " must be zero or positive and finite");
+  }
+  return kFine;
+}
+
+Status checkLength(double length) {
+  if (length > 0.0 && length <= kLargestLength) return kFine;
+  return invalid(named("length", length, "m") + " must be positive and at most 1e6 m");
+}
+
+Status checkEnd(double x, double w) {
+  if (!(std::isfinite(x) && std::isfinite(w) && std::hypot(x, w) <= kLargestLength)) {
+    return invalid("the end point (" + named("x", x, "m") + ", " + named("y", w, "m") +
+                   ") must be finite and within 1e6 m");
+  }
+  if (x < 0.0) {
+    return invalid(named("x", x, "m") + " must not be negative: x points from A towards B in the cable's plane");
+  }
+  return kFine;
+}
+
+Status checkForce(const char* name, double force) {
+  if (std::isfinite(force) && std::abs(force) <= kLargestForce) return kFine;
+  return invalid(named(name, force, "N") + " must be finite and at most 1e12 N");
+}
+
+}  // namespace cdpr_kinetostatics

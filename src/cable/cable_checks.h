@@ -1,0 +1,36 @@
+// What a cable problem must satisfy before it is solved; every refusal is a sentence.
+#pragma once
+
+#include <string>
+
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "cdpr_kinetostatics/cable/report.h"
+
+namespace cdpr_kinetostatics {
+
+// Beyond these a number is a mistake, not a cable.
+constexpr double kLargestLength = 1e6;  // [m]
+constexpr double kLargestForce = 1e12;  // [N]
+
+// "name = value": for messages.
+std::string named(const char* name, double value, const char* unit);
+
+// INVALID_INPUT for a model that this version does not offer.
+Status checkModel(Model model);
+
+Status checkOptions(const CableSolverOptions& options);
+Status checkCable(const CableProperties& cable, Model model);
+Status checkLength(double length);
+Status checkEnd(double x, double w);
+Status checkForce(const char* name, double force);
+
+// The first refusal among checks, or CONVERGED.
+template <typename... Checks>
+Status firstRefusal(const Checks&... checks) {
+  Status status{Code::kConverged, ""};
+  static_cast<void>(((status = checks, status.ok()) && ...));
+  return status;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,123 @@
+#include "cdpr_kinetostatics/cable/length_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kMaxSamples = 400;
+constexpr int kMaxRefinements = 100;
+constexpr int kMaxHintSteps = 8;
+
+// Growth of |L/chord - 1| from one sample of the curve to the next.
+constexpr double kGrowth = 0.2;
+
+// Root of value(sample), which changes sign between a and b: Newton's method kept inside the bracket.
+// value_slope returns the function and its derivative with respect to length (0 if unknown: bisect).
+template <typename Value>
+std::optional<TensionSample> refine(const TensionCurve& curve, TensionSample a, TensionSample b, double tolerance,
+                                    const Value& value) {
+  TensionSample best = a;
+  for (int i = 0; i < kMaxRefinements; ++i) {
+    const auto [f, df] = value(best);
+    double next = best.length - f / df;
+    if (!(next > std::min(a.length, b.length) && next < std::max(a.length, b.length))) {
+      next = 0.5 * (a.length + b.length);
+    }
+    if (std::abs(next - best.length) <= 4e-16 * next || std::abs(b.length - a.length) <= 4e-16 * next) return best;
+    const std::optional<TensionSample> sample = curve(next);
+    if (!sample) return std::nullopt;
+    best = *sample;
+    const double here = value(best).first;
+    if (std::abs(here) <= tolerance) return best;
+    if ((here > 0.0) == (value(a).first > 0.0)) {
+      a = best;
+    } else {
+      b = best;
+    }
+  }
+  return best;
+}
+
+// A root near the hint by Newton's method alone, if that leads to one.
+std::optional<double> rootNearHint(const TensionCurve& curve, const LengthSearch& search, double accepted) {
+  double length = search.hint;
+  for (int i = 0; i < kMaxHintSteps; ++i) {
+    const std::optional<TensionSample> sample = curve(length);
+    if (!sample || sample->slope == 0.0) return std::nullopt;
+    const double excess = sample->tension - search.tension;
+    if (std::abs(excess) <= accepted) return length;
+    length -= excess / sample->slope;
+    if (!(length > search.shortest && length < search.longest)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
+  LengthFound found;
+  const double accepted = 0.01 * search.tolerance * search.tension;
+  double finest = 1e-6 * search.chord;
+  if (search.hint > 0.0) {  // a root nearby leaves only its mirror image about the hint to be searched
+    found.length = rootNearHint(curve, search, accepted);
+    if (found.length) {
+      const double reach = std::abs(*found.length - search.hint);
+      search.shortest = std::max(search.shortest, search.hint - reach * (1.0 + 1e-9));
+      search.longest = std::min(search.longest, search.hint + reach);
+      finest = std::max(finest, 0.25 * reach);
+      if (reach <= 1e-9 * search.hint) return found;
+    }
+  }
+  std::optional<TensionSample> sample = curve(search.shortest);
+  if (!sample) return {std::nullopt, 0.0, false};
+  found.least_tension = sample->tension;
+
+  const auto excess = [&](const TensionSample& s) { return std::pair{s.tension - search.tension, s.slope}; };
+  const auto slope = [&](const TensionSample& s) { return std::pair{s.slope, 0.0}; };
+  const auto offer = [&](double length) {
+    const bool nearer = !found.length || std::abs(length - search.hint) < std::abs(*found.length - search.hint);
+    if (nearer) found.length = length;
+  };
+  const auto settled = [&](double reached) {
+    return found.length && (search.hint <= 0.0 || reached - search.hint > std::abs(*found.length - search.hint));
+  };
+
+  for (int i = 0; i < kMaxSamples && sample->length < search.longest && !settled(sample->length); ++i) {
+    const TensionSample last = *sample;
+    const double above = last.tension - search.tension;
+    double step = std::max(kGrowth * std::abs(last.length - search.chord), finest);
+    // Where the curve falls towards the tension asked for, its tangent undershoots (the curve is convex).
+    if (above > 0.0 && last.slope < 0.0) step = std::max(std::min(step, -above / last.slope), 1e-3 * step);
+    sample = curve(std::min(last.length + step, search.longest));
+    if (!sample) {
+      found.complete = false;
+      return found;
+    }
+    found.least_tension = std::min(found.least_tension, sample->tension);
+    if (std::abs(sample->tension - search.tension) <= accepted) {
+      offer(sample->length);
+      finest = std::max(finest, kGrowth * std::abs(sample->length - search.chord));
+      sample = curve(std::min(sample->length + 0.01 * finest, search.longest));
+      if (!sample) return found;
+      continue;
+    }
+    std::optional<TensionSample> root;
+    if ((above > 0.0) != (sample->tension > search.tension)) {
+      root = refine(curve, last, *sample, accepted, excess);
+    } else if (above > 0.0 && last.slope < 0.0 && sample->slope > 0.0) {
+      const std::optional<TensionSample> fold = refine(curve, last, *sample, 0.0, slope);
+      if (!fold) continue;
+      found.least_tension = std::min(found.least_tension, fold->tension);
+      if (fold->tension > search.tension) continue;
+      root = refine(curve, last, *fold, accepted, excess);
+      if (root) offer(root->length);
+      root = refine(curve, *fold, *sample, accepted, excess);
+    }
+    if (root) offer(root->length);
+  }
+  return found;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,14 +1,17 @@
 #include <ros/ros.h>
 
+#include <cstdio>
 #include <stdexcept>
 
 #include "cdpr_kinetostatics/ros/kinetostatics_node.h"
 
 int main(int argc, char** argv) {
   constexpr int kServiceThreads = 4;
+  setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what the node says appears at once, in a pipe too
   ros::init(argc, argv, "kinetostatics");
+  const ros::NodeHandle handle("~");  // outlives the try: without a handle nothing is logged
   try {
-    const cdpr_kinetostatics::KinetostaticsNode node(ros::NodeHandle("~"));
+    const cdpr_kinetostatics::KinetostaticsNode node(handle);
     ros::AsyncSpinner spinner(kServiceThreads);
     spinner.start();
     ros::waitForShutdown();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cdpr_kinetostatics/ros/text.h"
 
@@ -30,6 +31,25 @@ std::size_t indexOf(const std::string& name, const std::string& where, const Rob
         Code::kUnknownCable);
   }
   return static_cast<std::size_t>(found - robot.cables.begin());
+}
+
+std::vector<std::size_t> inOrder(std::size_t count) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+// The index of each named cable.
+std::vector<std::size_t> distinctCables(const std::vector<std::string>& names, const RobotDescription& robot) {
+  std::vector<std::size_t> cables;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t cable = indexOf(names[i], text("cable_names[", i, "]"), robot);
+    if (std::find(cables.begin(), cables.end(), cable) != cables.end()) {
+      throw RequestError(text("cable_names[", i, "] is '", names[i], "' once more: expected each cable once"));
+    }
+    cables.push_back(cable);
+  }
+  return cables;
 }
 
 Model checkedModel(std::uint8_t asked, Model node_default) {
@@ -105,23 +125,15 @@ std::vector<double> orderedLengths(const std::vector<double>& lengths, const std
     throw RequestError(text("cable_names has ", names.size(), " entries and lengths has ", lengths.size(),
                             ": expected one name for each length, or no names for the robot's order"));
   }
-  std::vector<bool> given(count, false);
-  std::vector<double> ordered(count, 0.0);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::size_t cable = indexOf(names[i], text("cable_names[", i, "]"), robot);
-    if (given[cable]) {
-      throw RequestError(text("cable_names[", i, "] is '", names[i], "' once more: expected each cable once"));
-    }
-    given[cable] = true;
-    ordered[cable] = lengths[i];
-  }
+  const std::vector<std::size_t> cables = names.empty() ? inOrder(lengths.size()) : distinctCables(names, robot);
   if (lengths.size() != count) {
     throw RequestError(text("lengths has ", lengths.size(), " entries: ", robot.name, " needs ", count,
                             ", one for each of ", namesOf(robot)));
   }
-  if (names.empty()) ordered = lengths;
+  std::vector<double> ordered(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    checkPositive(cableField("lengths", i, robot.cables[i].name), ordered[i], kMaxLength, "m");
+    checkPositive(cableField("lengths", i, robot.cables[cables[i]].name), lengths[i], kMaxLength, "m");
+    ordered[cables[i]] = lengths[i];
   }
   return ordered;
 }

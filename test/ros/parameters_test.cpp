@@ -1,0 +1,143 @@
+#include "cdpr_kinetostatics/ros/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "cdpr_kinetostatics/robot/robot_description_yaml.h"
+#include "cdpr_kinetostatics/ros/conversions.h"
+#include "yaml_parameters.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+XmlRpcValue goodParameters() {
+  XmlRpcValue parameters;
+  parameters["robot"] = robotParameter("cogiro");
+  return parameters;
+}
+
+std::string refusal(const XmlRpcValue& parameters) {
+  try {
+    loadParameters(parameters);
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return "";
+}
+
+TEST(Parameters, DefaultsAreThoseOfTheManual) {
+  const LoadedParameters loaded = loadParameters(goodParameters());
+  EXPECT_EQ(loaded.parameters.model, Model::kBending);
+  EXPECT_EQ(loaded.parameters.tolerance, 1e-8);
+  EXPECT_EQ(loaded.parameters.timeout, 0.1);
+  EXPECT_TRUE(loaded.warnings.empty());
+
+  XmlRpcValue manual = toParameter(YAML::LoadFile(SOURCE_DIR "/config/node.yaml"));
+  manual["robot"] = robotParameter("cogiro");
+  const LoadedParameters from_manual = loadParameters(manual);
+  EXPECT_EQ(from_manual.parameters.model, loaded.parameters.model);
+  EXPECT_EQ(from_manual.parameters.tolerance, loaded.parameters.tolerance);
+  EXPECT_EQ(from_manual.parameters.timeout, loaded.parameters.timeout);
+  EXPECT_TRUE(from_manual.warnings.empty());
+}
+
+TEST(Parameters, RobotIsTheSameAsFromTheFile) {
+  for (const char* name : {"cogiro", "desktop_music_wire", "scampi", "paper_point_mass"}) {
+    const RobotDescription file = loadRobotFile(std::string(ROBOT_DIR) + "/" + name + ".yaml").robot;
+    XmlRpcValue parameters;
+    parameters["robot"] = robotParameter(name);
+    const RobotDescription server = loadParameters(parameters).parameters.robot;
+    EXPECT_EQ(server.name, file.name);
+    EXPECT_EQ(server.mass, file.mass);
+    ASSERT_EQ(server.cables.size(), file.cables.size());
+    for (std::size_t i = 0; i < file.cables.size(); ++i) {
+      EXPECT_EQ(server.cables[i].name, file.cables[i].name);
+      EXPECT_EQ(server.cables[i].anchor, file.cables[i].anchor);
+      EXPECT_EQ(server.cables[i].attachment, file.cables[i].attachment);
+      EXPECT_EQ(server.cables[i].properties.axial_stiffness, file.cables[i].properties.axial_stiffness);
+      EXPECT_EQ(server.cables[i].properties.bending_stiffness, file.cables[i].properties.bending_stiffness);
+      EXPECT_EQ(server.cables[i].properties.weight, file.cables[i].properties.weight);
+      EXPECT_EQ(server.cables[i].tension_max, file.cables[i].tension_max);
+    }
+  }
+}
+
+TEST(Parameters, NumbersMayBeIntegersOrWrittenWithoutPoint) {
+  XmlRpcValue parameters = goodParameters();
+  parameters["timeout"] = 2;
+  parameters["tolerance"] = "1e-6";  // a string by YAML 1.1
+  const NodeParameters loaded = loadParameters(parameters).parameters;
+  EXPECT_EQ(loaded.timeout, 2.0);
+  EXPECT_EQ(loaded.tolerance, 1e-6);
+}
+
+TEST(Parameters, WrongOnesAreRefusedByNameAndValue) {
+  struct Case {
+    const char* key;
+    XmlRpcValue value;
+    const char* shown;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Case cases[] = {
+      {"timeout", -1.0, "-1"},
+      {"timeout", 0, "0"},
+      {"timeout", nan, "nan"},
+      {"timeout", "soon", "'soon'"},
+      {"timeout", 1e9, "1000000000"},
+      {"tolerance", 0.0, "0"},
+      {"tolerance", 1.0, "1"},
+      {"tolerance", "1e-8 m", "'1e-8 m'"},
+      {"tolerance", true, "1"},
+      {"model", "rigid", "'rigid'"},
+      {"model", 8, "8"},
+      {"model", "auto", "auto is not available"},
+      {"model", "default", "'default'"},
+      {"model", "catenary_corrected", "catenary_corrected is not available"},
+  };
+  for (const Case& wrong : cases) {
+    XmlRpcValue parameters = goodParameters();
+    parameters[wrong.key] = wrong.value;
+    const std::string message = refusal(parameters);
+    EXPECT_NE(message.find(std::string("~") + wrong.key), std::string::npos) << message;
+    EXPECT_NE(message.find(wrong.shown), std::string::npos) << message;
+  }
+}
+
+TEST(Parameters, RobotMustBeThereAndRight) {
+  EXPECT_NE(refusal(XmlRpcValue()).find("~robot is missing"), std::string::npos);
+
+  XmlRpcValue parameters = goodParameters();
+  parameters["robot"] = "cogiro.yaml";
+  EXPECT_NE(refusal(parameters).find("~robot"), std::string::npos);
+
+  parameters = goodParameters();
+  parameters["robot"]["platform"]["mass"] = -3.0;
+  const std::string message = refusal(parameters);
+  EXPECT_NE(message.find("mass"), std::string::npos) << message;
+  EXPECT_NE(message.find("-3"), std::string::npos) << message;
+}
+
+TEST(Parameters, UnknownKeysAreNamed) {
+  XmlRpcValue parameters = goodParameters();
+  parameters["tolerence"] = 1e-6;
+  const LoadedParameters loaded = loadParameters(parameters);
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_NE(loaded.warnings[0].find("~tolerence"), std::string::npos);
+  EXPECT_EQ(loaded.parameters.tolerance, 1e-8);
+}
+
+TEST(ToYaml, KeepsEveryDigit) {
+  const double value = 0.1 + 1e-16;
+  EXPECT_EQ(toYaml(XmlRpcValue(value)).as<double>(), value);
+  EXPECT_TRUE(std::isnan(toYaml(XmlRpcValue(std::nan(""))).as<double>()));
+  EXPECT_THROW(toYaml(XmlRpcValue()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace cdpr_kinetostatics

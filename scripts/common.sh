@@ -1,0 +1,33 @@
+# What the scripts share: where things are, and how the package is built. Sourced, not run.
+
+set -euo pipefail
+
+# Another python3 ahead of the system's breaks catkin's configuration and roslaunch.
+export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+workspace=${CDPR_WORKSPACE:-$repository/.ws}
+
+# ROS Noetic of ros.org, where it is installed; Debian's own packages need no setup file.
+source_ros() {
+  if [ -f /opt/ros/noetic/setup.bash ]; then
+    set +u
+    source /opt/ros/noetic/setup.bash
+    set -u
+  fi
+}
+
+# build [CMAKE_ARGUMENT...]: makes the workspace if needed and builds all of the package but its tests.
+build() {
+  source_ros
+  mkdir -p "$workspace/src"
+  ln -sfn "$repository" "$workspace/src/cdpr_kinetostatics"
+  echo "building in $workspace"
+  catkin_make -C "$workspace" -j"$(nproc)" --cmake-args "$@"
+}
+
+source_workspace() {
+  set +u
+  source "$workspace/devel/setup.bash"
+  set -u
+}

@@ -1,0 +1,51 @@
+#!/bin/bash
+# Installs by apt what is missing to build, run and test the package. Safe to call again: it then takes
+# less than a second. As root or with sudo; on Debian 12, or on Ubuntu 20.04 with ROS Noetic in /opt/ros.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+packages=(
+  # compiler and libraries
+  g++ make cmake libceres-dev libeigen3-dev libyaml-cpp-dev libgtest-dev
+  # checks of scripts/test.sh
+  clang-format clang-tidy
+)
+if [ -d /opt/ros/noetic ]; then
+  packages+=(
+    python3-catkin-lint ros-noetic-catkin ros-noetic-geometry-msgs ros-noetic-message-generation
+    ros-noetic-message-runtime ros-noetic-rosbash ros-noetic-roscpp ros-noetic-roslaunch ros-noetic-rospy
+    ros-noetic-rosservice ros-noetic-rostest ros-noetic-std-msgs
+  )
+else
+  packages+=(
+    # build
+    catkin catkin-lint libroscpp-dev librostest-dev ros-geometry-msgs ros-message-generation ros-message-runtime
+    ros-std-msgs
+    # run and test
+    python3-geometry-msgs python3-roslaunch python3-rosparam python3-rospy python3-rosservice python3-rostest
+    python3-std-msgs rosbash rosout
+  )
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "setup: all ${#packages[@]} packages are installed"
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "setup: missing ${missing[*]}; run as root, or install sudo" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "setup: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+echo "setup: done"

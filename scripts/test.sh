@@ -1,0 +1,76 @@
+#!/bin/bash
+# Installs, builds, runs every test and check. Exits non-zero if any fails, or if none ran.
+#   scripts/test.sh                                 everything
+#   scripts/test.sh --sanitize=address,undefined    tests only, built with these sanitizers in a workspace of their own
+# CI=true makes warnings errors and adds clang-tidy.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+sanitize=
+for argument in "$@"; do
+  case "$argument" in
+    --sanitize=*) sanitize=${argument#*=} ;;
+    *) sed -n '2,5s/^# *//p' "$0" >&2 && exit 2 ;;
+  esac
+done
+ci=OFF
+[ "${CI:-}" = true ] && ci=ON
+[ -z "$sanitize" ] || workspace=$workspace-${sanitize//,/-}
+
+checks_passed=0
+checks_failed=0
+# check NAME COMMAND...: runs one check and counts it.
+check() {
+  local name=$1
+  shift
+  echo "--- $name"
+  if "$@"; then
+    checks_passed=$((checks_passed + 1))
+  else
+    checks_failed=$((checks_failed + 1))
+    echo "FAILED: $name"
+  fi
+}
+
+verdict() {
+  echo
+  echo "$1 passed, $2 failed${3:+, $3 skipped}"
+  [ "$2" -eq 0 ] && [ "$1" -gt 0 ]
+}
+
+our_sources() { (cd "$repository" && git ls-files -co --exclude-standard -- '*.h' '*.cpp'); }
+format() { (cd "$repository" && our_sources | xargs clang-format --dry-run -Werror); }
+tidy() {
+  (cd "$repository" && our_sources | grep '^src/' | xargs -P "$(nproc)" -n 1 clang-tidy -p "$workspace/build" --quiet)
+}
+
+"$repository/scripts/setup.sh"
+if ! build -DCDPR_WARNINGS_AS_ERRORS="$ci" -DCDPR_SANITIZE="$sanitize"; then
+  echo "FAILED: build"
+  verdict 0 1
+fi
+results=$workspace/build/test_results
+rm -rf "$results"
+export ROS_HOME=${ROS_HOME:-$workspace/ros_home}
+check "test programs build and run" catkin_make -C "$workspace" -j"$(nproc)" run_tests
+if [ -z "$sanitize" ]; then
+  check clang-format format
+  check catkin_lint catkin_lint --strict -W2 --offline --ignore external_interface_path --ignore global_var_collision \
+    --ignore literal_project_name --ignore uninstalled_script "$workspace/src/cdpr_kinetostatics"
+  [ $ci = OFF ] || check clang-tidy tidy
+fi
+
+echo "--- results"
+catkin_test_results --verbose "$results" || true
+# "Summary: 120 tests, 0 errors, 1 failures, 2 skipped"
+summary=$(catkin_test_results "$results" | grep '^Summary:' || true)
+number() { echo "$summary" | grep -oE "[0-9]+ $1" | grep -oE '^[0-9]+' || echo 0; }
+tests=$(number tests)
+failed=$(($(number errors) + $(number failures)))
+skipped=$(number skipped)
+if [ "$tests" -eq 0 ]; then
+  echo "FAILED: no test ran"
+  checks_failed=$((checks_failed + 1))
+fi
+[ "$skipped" -gt 0 ] || skipped=
+verdict $((tests - failed - ${skipped:-0} + checks_passed)) $((failed + checks_failed)) "$skipped"

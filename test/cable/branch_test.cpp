@@ -51,6 +51,20 @@ TEST(Branch, ABarLongerThanItsChordIsCompressedAndStillHangsBelow) {
   EXPECT_GT(taut.horizontal_force, 0.0);
 }
 
+// Nearly straight and far beyond its buckling load it is in equilibrium too, but unstable.
+TEST(Branch, ABarSlightlyTooLongBowsInsteadOfStayingStraight) {
+  const CableProperties bar{342848.44169105991, 0.63731062198160482, 4.3197476063184581};
+  const double length = 0.38220647631458837;
+  for (const double w : {-0.22172926395243819, 0.22172926395243819}) {
+    for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+      const CableSolution s = findForces(bar, length, 0.3108221329482953, w, options(tolerance));
+      ASSERT_TRUE(s.status.ok()) << s.status.message;
+      EXPECT_NEAR(s.horizontal_force, -27.9105, 1e-3) << "w " << w << ", tolerance " << tolerance;
+      EXPECT_LT(s.tension_a, 1.1 * kPi * kPi * bar.bending_stiffness / (length * length));
+    }
+  }
+}
+
 TEST(Branch, ForcesAreContinuousInTheLengthThroughZeroTension) {
   const double chord = std::hypot(5.0, 2.5);
   CableSolution last = findForces(paperBar(), 0.99999 * chord, 5.0, -2.5, options());

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace cdpr_kinetostatics {
@@ -38,7 +39,7 @@ enum class Goal { kEndPoint, kForces };
 struct NewtonTarget {
   Goal goal = Goal::kEndPoint;
   double length = 0.0;
-  Eigen::Vector2d end = Eigen::Vector2d::Zero();  // (x, w), for kEndPoint
+  Eigen::Vector2d value = Eigen::Vector2d::Zero();  // (x, w) or (H, V)
 };
 
 // (lambda/R)^2 at the point of the catenary that bends most.
@@ -66,9 +67,11 @@ BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options,
     Eigen::Vector3d change(0.0, 0.0, target.length - shooting->length());
     if (target.goal == Goal::kEndPoint) {
       const Eigen::Matrix<double, 2, 3>& jacobian = shooting->end().jacobian;
-      const Eigen::Vector2d defect = target.end - shooting->end().position - jacobian.col(2) * change.z();
+      const Eigen::Vector2d defect = target.value - shooting->end().position - jacobian.col(2) * change.z();
       change.head<2>() = jacobian.leftCols<2>().inverse() * defect;
       outcome.closure_residual = defect.norm();
+    } else {
+      change.head<2>() = target.value - Eigen::Vector2d(shooting->horizontalForce(), shooting->verticalForceA());
     }
     if (!change.allFinite()) break;
     const double tension = std::max(std::hypot(shooting->horizontalForce(), shooting->verticalForceA()),
@@ -89,13 +92,6 @@ BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options,
   }
   outcome.status = {Code::kNotConverged, "Newton's method did not join the cable's segments"};
   return outcome;
-}
-
-// The sagging branch, free of loops, and stable.
-bool onBranch(const MultipleShooting& shooting) {
-  const double length = shooting.length();
-  if (!shooting.stable() || shooting.areaBelowChord() < -1e-10 * length * length) return false;
-  return std::abs(shooting.turning()) < kLoopAngle;
 }
 
 // A point of the path along which a safe problem becomes the one asked for.
@@ -162,7 +158,7 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
       outcome.status = local.status;
       return outcome;
     }
-    if (local.status.ok() && onBranch(*shooting)) {
+    if (local.status.ok() && onSaggingBranch(*shooting)) {
       last = *shooting;
       share = next;
       step *= 1.7;
@@ -195,9 +191,10 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
     const Eigen::Vector2d missing(forces.horizontal - shooting->horizontalForce(),
                                   forces.vertical - shooting->verticalForceA());
     if (missing.norm() <= 1e-3 * scale) {
-      const BendingOutcome last = newton({Goal::kForces, length, {}}, options, kMaxNewtonIterations, shooting);
-      static_cast<void>(last);
-      break;
+      const BendingOutcome last = followBendingPosition(length, forces, options, shooting);
+      outcome.iterations += last.iterations;
+      outcome.status = last.status;
+      return outcome;
     }
     Eigen::Vector2d step = shooting->end().jacobian.leftCols<2>() * missing;
     step *= std::min(1.0, 0.1 * length / step.norm());
@@ -207,10 +204,19 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
     outcome.iterations += local.iterations;
     outcome.status = local.status;
   }
+  if (outcome.status.ok()) {
+    outcome.status = {Code::kNotConverged, "no end point was found at which the cable carries these forces"};
+  }
   return outcome;
 }
 
 }  // namespace
+
+bool onSaggingBranch(const MultipleShooting& shooting) {
+  const double length = shooting.length();
+  return shooting.stable() && shooting.areaBelowChord() >= -1e-10 * length * length &&
+         std::abs(shooting.turning()) < kLoopAngle;
+}
 
 BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double w,
                                   const BendingOptions& options, MultipleShooting* shooting) {
@@ -223,7 +229,7 @@ BendingOutcome solveBendingForces(const CableProperties& cable, double length, d
   if (catenary && hasTension(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
     shooting->start(cable, length, catenary->horizontal, catenary->vertical, options.tolerance);
     outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
-    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onBranch(*shooting))) return outcome;
+    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
   const int direct_iterations = outcome.iterations;
   outcome = continueFromCatenary(cable, length, x, w, options, shooting);
@@ -234,18 +240,24 @@ BendingOutcome solveBendingForces(const CableProperties& cable, double length, d
 BendingOutcome followBendingForces(double length, double x, double w, const BendingOptions& options,
                                    MultipleShooting* shooting) {
   BendingOutcome outcome = newton({Goal::kEndPoint, length, {x, w}}, options, 12, shooting);
-  if (outcome.status.ok() && !onBranch(*shooting)) {
+  if (outcome.status.ok() && !onSaggingBranch(*shooting)) {
     outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
   }
   return outcome;
+}
+
+BendingOutcome followBendingPosition(double length, const ForcesAtA& forces, const BendingOptions& options,
+                                     MultipleShooting* shooting) {
+  return newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, options, kMaxNewtonIterations,
+                shooting);
 }
 
 BendingOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
                                     const BendingOptions& options, MultipleShooting* shooting) {
   if (hasTension(cable, length, forces) && sharpestBend(cable, length, forces) < kSharpBend) {
     shooting->start(cable, length, forces.horizontal, forces.vertical, options.tolerance);
-    const BendingOutcome outcome = newton({Goal::kForces, length, {}}, options, kMaxNewtonIterations, shooting);
-    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onBranch(*shooting))) return outcome;
+    const BendingOutcome outcome = followBendingPosition(length, forces, options, shooting);
+    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
   return moveEndToForces(cable, length, forces, options, shooting);
 }

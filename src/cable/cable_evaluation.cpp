@@ -121,8 +121,6 @@ CableSolution describeBending(const CableProperties& properties, Model model, co
   CableSolution solution = forcesOf(asSeenBy(model, properties), model, shooting.length(), shooting.horizontalForce(),
                                     shooting.verticalForceA());
   shooting.measure(profile_points, &solution);
-  solution.x = shooting.end().position.x();
-  solution.w = shooting.end().position.y();
   solution.end_jacobian = shooting.end().jacobian;
   solution.force_jacobian = forceJacobian(shooting.end());
   solution.moment_residual = shooting.momentDefect();

@@ -31,7 +31,6 @@ CableSolution bendingSolution(const CableProperties& cable, const CableSolverOpt
                               const BendingOutcome& outcome, const MultipleShooting& shooting) {
   if (!outcome.status.ok()) return refusal(options.model, outcome.status);
   CableSolution solution = describeBending(cable, options.model, shooting, options.profile_points);
-  solution.closure_residual = outcome.closure_residual;
   solution.iterations = outcome.iterations;
   return solution;
 }
@@ -90,7 +89,7 @@ class ForcesAlongLength {
   CableSolution describe(int profile_points) const {
     if (bends(cable_, options_.model)) {
       CableSolution solution = describeBending(cable_, options_.model, shooting_, profile_points);
-      solution.closure_residual = outcome_.closure_residual;
+      solution.closure_residual = std::hypot(solution.x - x_, solution.w - w_);
       solution.iterations = iterations_;
       return solution;
     }
@@ -104,13 +103,13 @@ class ForcesAlongLength {
   bool bend(double length) {
     const BendingOptions options = bendingOptions(options_);
     if (warm_) {
-      outcome_ = followBendingForces(length, x_, w_, options, &shooting_);
-      iterations_ += outcome_.iterations;
-      if (outcome_.status.ok()) return true;
+      const BendingOutcome outcome = followBendingForces(length, x_, w_, options, &shooting_);
+      iterations_ += outcome.iterations;
+      if (outcome.status.ok()) return true;
     }
-    outcome_ = solveBendingForces(cable_, length, x_, w_, options, &shooting_);
-    iterations_ += outcome_.iterations;
-    warm_ = outcome_.status.ok();
+    const BendingOutcome outcome = solveBendingForces(cable_, length, x_, w_, options, &shooting_);
+    iterations_ += outcome.iterations;
+    warm_ = outcome.status.ok();
     return warm_;
   }
 
@@ -120,7 +119,6 @@ class ForcesAlongLength {
   double length_ = 0.0;
   ForcesAtA forces_;
   MultipleShooting shooting_;
-  BendingOutcome outcome_;
   bool warm_ = false;
   int iterations_ = 0;
 };
@@ -239,7 +237,9 @@ CableSolution findForces(const CableProperties& properties, double length, doubl
   }
   MultipleShooting shooting;
   const BendingOutcome outcome = solveBendingForces(cable, length, x, w, bendingOptions(options), &shooting);
-  return bendingSolution(cable, options, outcome, shooting);
+  CableSolution solution = bendingSolution(cable, options, outcome, shooting);
+  if (solution.status.ok()) solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
+  return solution;
 }
 
 CableSolution findLength(const CableProperties& properties, double x, double w, double tension_a, double length_hint,

@@ -95,6 +95,8 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
     }
   }
   if (profile_points > 0) addPoint(span, state);
+  solution->x = state.x * reference_length_;
+  solution->w = state.w * reference_length_;
   solution->strained_length = length_ + p.eps * stretch * reference_length_;
   solution->angle_a = segments_.front().node.x();
   solution->angle_b = last_node_.x();

@@ -27,6 +27,9 @@ struct BendingOutcome {
   double closure_residual = 0.0;  // [m]
 };
 
+// True for the equilibrium described above: stable with its ends held, below its chord, free of loops.
+bool onSaggingBranch(const MultipleShooting& shooting);
+
 // Problem 2; x >= 0. On success shooting holds the equilibrium, linearised.
 BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double w,
                                   const BendingOptions& options, MultipleShooting* shooting);
@@ -39,5 +42,9 @@ BendingOutcome followBendingForces(double length, double x, double w, const Bend
 // Problem 1. For H < 0 the end point is that with x >= 0: a slack loop or a bowed strut.
 BendingOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
                                     const BendingOptions& options, MultipleShooting* shooting);
+
+// Problem 1 from the equilibrium that shooting holds, for forces or a length nearby.
+BendingOutcome followBendingPosition(double length, const ForcesAtA& forces, const BendingOptions& options,
+                                     MultipleShooting* shooting);
 
 }  // namespace cdpr_kinetostatics

@@ -59,8 +59,8 @@ class MultipleShooting {
   // Largest angle defect between segments [rad] at the last linearise().
   double angleDefect() const { return angle_defect_; }
 
-  // Fills the shape's measures (angles, sag, largest moment and shear, strained length) and, for at least
-  // two profile points, the profile. The nodes must have converged.
+  // Fills the shape's measures (end point, angles, sag, largest moment and shear, strained length) and, for
+  // at least two profile points, the profile. The nodes must have converged.
   void measure(int profile_points, CableSolution* solution) const;
 
   double length() const { return length_; }

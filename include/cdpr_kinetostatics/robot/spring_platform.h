@@ -1,0 +1,55 @@
+// The platform on straight springs that pull but do not push, and its descent to a stable pose.
+//
+// The energy of such a platform is bounded below, and every descent ends in a minimum: a stable equilibrium
+// near the start. That makes it the way from a far seed to the right pose, for every model.
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/report.h"
+#include "cdpr_kinetostatics/robot/robot_description.h"
+
+namespace cdpr_kinetostatics {
+
+// Tension shift + stiffness (chord - length); never negative unless two_sided.
+struct Spring {
+  double stiffness = 0.0;  // [N/m]
+  double length = 0.0;     // [m]
+  double shift = 0.0;      // [N]
+  bool two_sided = false;
+
+  double tension(double chord) const;
+};
+
+class SpringPlatform {
+ public:
+  // external: the wrench besides the platform's weight and half of each cable's; null: no loads at all.
+  // Robot and wrench must outlive the object.
+  SpringPlatform(const RobotDescription& robot, const Wrench* external) : robot_(robot), external_(external) {}
+
+  struct Local {
+    double energy = 0.0;  // [J], without the external torque, whose work depends on the path
+    Wrench wrench = Wrench::Zero();
+    // d(wrench)/d(translation, rotation vector)
+    Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
+  };
+  Local at(const Pose& pose, const std::vector<Spring>& springs) const;
+
+  // Descends first on springs that the platform's weight stretches by 1 %, then on stiffer ones up to those
+  // given: far from equilibrium, stiff springs make narrow curved valleys. Ends when the pose moves by less
+  // than tolerance, relative to the robot's span, and in rad.
+  Status descend(const std::vector<Spring>& springs, double tolerance, std::chrono::steady_clock::time_point deadline,
+                 Pose* pose, int* iterations) const;
+
+ private:
+  // Newton's method, damped until the energy falls.
+  Status newton(const std::vector<Spring>& springs, double tolerance, std::chrono::steady_clock::time_point deadline,
+                Pose* pose, int* iterations) const;
+
+  const RobotDescription& robot_;
+  const Wrench* external_;
+};
+
+}  // namespace cdpr_kinetostatics

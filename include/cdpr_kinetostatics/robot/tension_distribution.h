@@ -1,0 +1,32 @@
+// Tensions that balance a wrench, as near as the limits allow to preferred ones.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace cdpr_kinetostatics {
+
+// min sum (weight_j (t_j - preferred_j))^2 subject to matrix t = wrench and lower <= t <= upper. Bounds may
+// be infinite; weights are positive.
+struct TensionProblem {
+  Eigen::MatrixXd matrix;   // rows scaled to comparable size
+  Eigen::VectorXd wrench;
+  Eigen::VectorXd preferred;
+  Eigen::VectorXd weight;
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
+};
+
+struct TensionDistribution {
+  Eigen::VectorXd tensions;
+  double imbalance = 0.0;  // |matrix t - wrench| that no tensions at all can remove
+  bool feasible = false;   // the limits can be met
+  std::vector<int> at_lower, at_upper;  // limits reached; if infeasible, those in contradiction
+};
+
+TensionDistribution distributeTensions(const TensionProblem& problem);
+
+// Non-negative tensions that balance the wrench as well as possible, of least norm among those.
+Eigen::VectorXd nonNegativeTensions(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& wrench);
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,85 @@
+#include "cdpr_kinetostatics/cable/sagging_cable.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cdpr_kinetostatics/cable/cable_evaluation.h"
+#include "cdpr_kinetostatics/cable/straight.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr double kMaxAngleStep = 0.7;  // [rad]
+
+// A catenary's horizontal force never falls to less than this share in one step: at zero it has a fold.
+constexpr double kLeastShare = 0.2;
+
+}  // namespace
+
+SaggingCable::SaggingCable(const CableProperties& cable, Model model, double tolerance)
+    : seen_(asSeenBy(model, cable)), model_(model), tolerance_(tolerance) {}
+
+void SaggingCable::start(double length, const ForcesAtA& forces) {
+  length_ = length;
+  forces_ = forces;
+  if (bends()) shooting_.start(seen_, length, forces.horizontal, forces.vertical, tolerance_);
+}
+
+Status SaggingCable::startBetween(double length, double x, double w, const BendingOptions& options) {
+  length_ = length;
+  if (bends()) {
+    const BendingOutcome outcome = solveBendingForces(seen_, length, x, w, options, &shooting_);
+    forces_ = {shooting_.horizontalForce(), shooting_.verticalForceA()};
+    return outcome.status;
+  }
+  const std::optional<ForcesAtA> catenary = catenaryForces(seen_, length, x, w);
+  if (!catenary) return {Code::kInfeasible, "the cable cannot span its ends"};
+  forces_ = *catenary;
+  return {Code::kConverged, ""};
+}
+
+bool SaggingCable::linearise(bool adapt) {
+  if (bends()) {
+    if (!shooting_.linearise(adapt)) return false;
+    end_ = shooting_.end();
+    return true;
+  }
+  end_ = isStraight(model_) ? straightEnd(seen_, forces_.horizontal, forces_.vertical, length_)
+                            : catenaryEnd(seen_, forces_.horizontal, forces_.vertical, length_);
+  return end_.position.allFinite() && end_.jacobian.allFinite();
+}
+
+double SaggingCable::dampingFor(const Eigen::Vector3d& change) const {
+  double damping = 1.0;
+  if (length_ + change.z() < 0.5 * length_) damping = -0.5 * length_ / change.z();
+  if (bends()) return std::min(damping, kMaxAngleStep / shooting_.angleChange(change));
+  const double h = forces_.horizontal;
+  if (h > 0.0 && h + change.x() < kLeastShare * h) damping = std::min(damping, (kLeastShare - 1.0) * h / change.x());
+  return damping;
+}
+
+double SaggingCable::angleChange(const Eigen::Vector3d& change) const {
+  return bends() ? shooting_.angleChange(change) : 0.0;
+}
+
+void SaggingCable::step(const Eigen::Vector3d& change, double damping) {
+  forces_.horizontal += damping * change.x();
+  forces_.vertical += damping * change.y();
+  length_ += damping * change.z();
+  if (bends()) shooting_.step(change, damping);
+}
+
+bool SaggingCable::onBranch() const { return bends() ? onSaggingBranch(shooting_) : forces_.horizontal >= 0.0; }
+
+double SaggingCable::tensionA() const { return std::hypot(forces_.horizontal, forces_.vertical); }
+
+CableSolution SaggingCable::describe(double x, double w, int profile_points) const {
+  if (!bends()) {
+    return describeClosedForm(seen_, model_, length_, forces_.horizontal, forces_.vertical, x, w, profile_points);
+  }
+  CableSolution solution = describeBending(seen_, model_, shooting_, profile_points);
+  solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
+  return solution;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,87 @@
+#include "cdpr_kinetostatics/residuals/platform_equilibrium.h"
+
+#include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& a) {
+  Eigen::Matrix3d matrix;
+  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return matrix;
+}
+
+}  // namespace
+
+PlatformEquilibrium::PlatformEquilibrium(const Platform& platform, const std::vector<Cable>& cables,
+                                         double force_scale, double arm_scale)
+    : platform_(platform), cables_(cables) {
+  scale_ << Eigen::Vector3d::Constant(1.0 / force_scale), Eigen::Vector3d::Constant(1.0 / (force_scale * arm_scale));
+  AddParameterBlock(3);
+  AddParameterBlock(4);
+  for (std::size_t i = 0; i < cables.size(); ++i) AddParameterBlock(2);
+  for (std::size_t i = 0; i < cables.size(); ++i) AddParameterBlock(1);
+  SetNumResiduals(platform.rigid_body ? 6 : 3);
+}
+
+bool PlatformEquilibrium::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+  const Eigen::Map<const Eigen::Vector3d> position(parameters[0]);
+  const Eigen::Map<const Eigen::Quaterniond> orientation(parameters[1]);
+  const int rows = num_residuals();
+  const std::size_t count = cables_.size();
+
+  const Eigen::Vector3d weight(0.0, 0.0, -platform_.weight);
+  const Eigen::Vector3d com = orientation * platform_.com;
+  Vector6 total = platform_.external_wrench;
+  total.head<3>() += weight;
+  total.tail<3>() += com.cross(weight);
+  Eigen::Matrix<double, 6, 3> by_position = Eigen::Matrix<double, 6, 3>::Zero();
+  Eigen::Matrix<double, 6, 4> by_orientation = Eigen::Matrix<double, 6, 4>::Zero();
+  by_orientation.bottomRows<3>() = -crossMatrix(weight) * rotationJacobian(orientation, platform_.com);
+
+  for (std::size_t i = 0; i < count; ++i) {
+    const Cable& cable = cables_[i];
+    const double density = parameters[2 + i][0];
+    const double vertical = parameters[2 + i][1];
+    const double length = parameters[2 + count + i][0];
+    const Eigen::Vector3d arm = orientation * cable.attachment;
+    const Eigen::Vector3d to_b = position + arm - cable.anchor;
+    const Eigen::Vector3d force(-density * to_b.x(), -density * to_b.y(), vertical - cable.weight * length);
+    total.head<3>() += force;
+    total.tail<3>() += arm.cross(force);
+    if (jacobians == nullptr) continue;
+
+    const Eigen::Matrix3d arm_cross = crossMatrix(arm);
+    const Eigen::Matrix3d by_b = Eigen::Vector3d(-density, -density, 0.0).asDiagonal();
+    const Eigen::Matrix<double, 3, 4> turn = rotationJacobian(orientation, cable.attachment);
+    by_position.topRows<3>() += by_b;
+    by_position.bottomRows<3>() += arm_cross * by_b;
+    by_orientation.topRows<3>() += by_b * turn;
+    by_orientation.bottomRows<3>() += arm_cross * by_b * turn - crossMatrix(force) * turn;
+    if (jacobians[2 + i] != nullptr) {
+      Eigen::Matrix<double, 6, 2> by_force;
+      by_force.topRows<3>() << Eigen::Vector3d(-to_b.x(), -to_b.y(), 0.0), Eigen::Vector3d::UnitZ();
+      by_force.bottomRows<3>() = arm_cross * by_force.topRows<3>();
+      Eigen::Map<RowMajor>(jacobians[2 + i], rows, 2) = (scale_.asDiagonal() * by_force).topRows(rows);
+    }
+    if (jacobians[2 + count + i] != nullptr) {
+      Vector6 by_length;
+      by_length << 0.0, 0.0, -cable.weight, -cable.weight * arm_cross.col(2);
+      Eigen::Map<Eigen::VectorXd>(jacobians[2 + count + i], rows) = (scale_.asDiagonal() * by_length).head(rows);
+    }
+  }
+  Eigen::Map<Eigen::VectorXd>(residuals, rows) = (scale_.asDiagonal() * total).head(rows);
+  if (jacobians == nullptr) return true;
+  if (jacobians[0] != nullptr) {
+    Eigen::Map<RowMajor>(jacobians[0], rows, 3) = (scale_.asDiagonal() * by_position).topRows(rows);
+  }
+  if (jacobians[1] != nullptr) {
+    Eigen::Map<RowMajor>(jacobians[1], rows, 4) = (scale_.asDiagonal() * by_orientation).topRows(rows);
+  }
+  return true;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,157 @@
+#include "cdpr_kinetostatics/robot/basin_search.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cdpr_kinetostatics/cable/cable_evaluation.h"
+#include "cdpr_kinetostatics/residuals/cable_closure.h"
+#include "cdpr_kinetostatics/residuals/platform_equilibrium.h"
+#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cdpr_kinetostatics/robot/spring_platform.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kMaxIterations = 200;
+
+// Half the sum of squares of the residuals, all dimensionless, at which Newton's method takes over.
+constexpr double kGoodEnough = 1e-12;
+// Above this the search has ended in a valley that is no solution.
+constexpr double kNoSolution = 1e-6;
+
+// The springs' pose is a start for the catenaries': this much of the span is near enough.
+constexpr double kSpringTolerance = 1e-4;
+
+// B below A is taken this share of the length beside it.
+constexpr double kBeside = 1e-9;
+
+class StopWhenGoodEnough : public ceres::IterationCallback {
+ public:
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    return summary.cost < kGoodEnough ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+};
+
+PlatformEquilibrium* equilibriumBlock(const RobotDescription& robot, const Wrench& external) {
+  std::vector<PlatformEquilibrium::Cable> cables;
+  for (const CableDescription& cable : robot.cables) {
+    cables.push_back({cable.anchor, cable.attachment, cable.properties.weight});
+  }
+  const PlatformEquilibrium::Platform platform{robot.type == PlatformType::kRigidBody, robot.weight(), robot.com,
+                                               external};
+  const double force_scale = std::max(robot.weight(), external.head<3>().norm());
+  return new PlatformEquilibrium(platform, cables, force_scale,
+                                 std::max(robot.platformRadius(), 1e-3 * robot.span()));
+}
+
+// The stable pose with straight elastic cables nearest to the start.
+Status descendWithSprings(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                          std::chrono::steady_clock::time_point deadline, Pose* pose, int* iterations) {
+  std::vector<Spring> springs;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    springs.push_back({robot.cables[i].properties.axial_stiffness / lengths[i], lengths[i]});
+  }
+  return SpringPlatform(robot, &external).descend(springs, kSpringTolerance, deadline, pose, iterations);
+}
+
+ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& pose, double length) {
+  const CableDescription& cable = robot.cables[i];
+  const CableLine line = cableLine(cable, pose);
+  const double chord = std::hypot(line.x, line.w);
+  const double cable_weight = cable.properties.weight * length;
+  if (length > 1.0001 * chord && cable_weight > 0.0) {
+    const CableProperties seen = asSeenBy(Model::kCatenary, cable.properties);
+    const auto catenary = catenaryForces(seen, length, std::max(line.x, 1e-3 * length), line.w);
+    if (catenary && catenary->horizontal > 0.0) return *catenary;
+  }
+  const double share = std::max(robot.weight() / robot.freedoms(), 10.0 * cable_weight);
+  const double x = std::max(line.x, kBeside * length);
+  return {share * x / chord, 0.5 * cable_weight - share * line.w / chord};
+}
+
+}  // namespace
+
+Status roughStart(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                  std::chrono::steady_clock::time_point deadline, RobotForces* start, int* iterations) {
+  const Status status = descendWithSprings(robot, external, lengths, deadline, &start->pose, iterations);
+  start->lengths = lengths;
+  start->forces.clear();
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    start->forces.push_back(roughForces(robot, i, start->pose, lengths[i]));
+  }
+  return status;
+}
+
+Status searchBasin(const RobotDescription& robot, const Wrench& external, Model model, double tolerance,
+                   std::chrono::steady_clock::time_point deadline, RobotForces* state, int* iterations) {
+  const std::size_t count = robot.cables.size();
+  Eigen::Vector3d position = state->pose.position;
+  Eigen::Quaterniond orientation = state->pose.orientation;
+  std::vector<std::array<double, 2>> forces(count);
+  std::vector<double> lengths = state->lengths;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * lengths[i]);
+    forces[i] = {state->forces[i].horizontal / x, state->forces[i].vertical};
+  }
+
+  ceres::Problem problem;
+  std::vector<double*> blocks = {position.data(), orientation.coeffs().data()};
+  for (auto& force : forces) blocks.push_back(force.data());
+  for (double& length : lengths) blocks.push_back(&length);
+  problem.AddResidualBlock(equilibriumBlock(robot, external), nullptr, blocks);
+  for (std::size_t i = 0; i < count; ++i) {
+    const CableDescription& cable = robot.cables[i];
+    const CableProperties seen = asSeenBy(model, cable.properties);
+    ceres::CostFunction* closure = nullptr;
+    if (isBending(model) && seen.bending_stiffness > 0.0) {
+      closure = new BendingClosure(seen, cable.anchor, cable.attachment, lengths[i], tolerance);
+    } else {
+      closure = new CatenaryClosure(seen, cable.anchor, cable.attachment, lengths[i]);
+    }
+    problem.AddResidualBlock(closure, nullptr, position.data(), orientation.coeffs().data(), forces[i].data(),
+                             &lengths[i]);
+    problem.SetParameterBlockConstant(&lengths[i]);
+  }
+  if (robot.type == PlatformType::kRigidBody) {
+    problem.SetManifold(orientation.coeffs().data(), new ceres::EigenQuaternionManifold);
+  } else {
+    problem.SetParameterBlockConstant(orientation.coeffs().data());
+  }
+
+  StopWhenGoodEnough stop;
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;
+  options.max_num_iterations = kMaxIterations;
+  options.function_tolerance = 0.0;
+  options.gradient_tolerance = 0.0;
+  options.parameter_tolerance = 1e-14;
+  options.max_num_consecutive_invalid_steps = 50;
+  options.max_solver_time_in_seconds =
+      std::min(1e6, std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count());
+  options.callbacks.push_back(&stop);
+  if (options.max_solver_time_in_seconds <= 0.0) return {Code::kTimedOut, "no time was left to look for the pose"};
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  *iterations += static_cast<int>(summary.iterations.size());
+
+  state->pose.position = position;
+  state->pose.orientation = orientation.normalized();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * lengths[i]);
+    state->forces[i] = {forces[i][0] * x, forces[i][1]};
+  }
+  if (std::chrono::steady_clock::now() > deadline) {
+    return {Code::kTimedOut, "the time allowed ran out while looking for the platform's pose"};
+  }
+  if (!summary.IsSolutionUsable() || summary.final_cost > kNoSolution) {
+    return {Code::kNotConverged, "no pose was found at which cables of these lengths balance the load"};
+  }
+  return {Code::kConverged, ""};
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,134 @@
+#include "cdpr_kinetostatics/robot/forward.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "cdpr_kinetostatics/robot/basin_search.h"
+#include "cdpr_kinetostatics/robot/coupled_newton.h"
+#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "cdpr_kinetostatics/robot/straight_forward.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Beyond this excess of length over chord a bending cable's shape is found by its own problem 2.
+constexpr double kOwnShapeExcess = 1.02;
+
+Status checkLengths(const RobotDescription& robot, const std::vector<double>& lengths) {
+  std::ostringstream text;
+  if (lengths.size() != robot.cables.size()) {
+    text << lengths.size() << " lengths were given for " << robot.cables.size() << " cables";
+    return {Code::kInvalidInput, text.str()};
+  }
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (lengths[i] > 0.0 && lengths[i] <= 1e6) continue;
+    text << "length of cable '" << robot.cables[i].name << "' = " << lengths[i]
+         << " m must be positive and at most 1e6 m";
+    return {Code::kInvalidInput, text.str()};
+  }
+  return {Code::kConverged, ""};
+}
+
+// The catenary rung that a bending rung starts from.
+Model startingRung(Model model) {
+  const bool inextensible = model == Model::kCatenaryInextensible || model == Model::kBendingInextensible;
+  return inextensible ? Model::kCatenaryInextensible : Model::kCatenary;
+}
+
+class ForwardSolve {
+ public:
+  ForwardSolve(const RobotDescription& robot, const ForwardRequest& request, const RobotSolverOptions& options,
+               Clock::time_point deadline)
+      : robot_(robot), request_(request), options_(options), deadline_(deadline) {}
+
+  RobotSolution run() {
+    RobotForces start;
+    start.pose = request_.seed.value_or(robot_.home);
+    Status status =
+        roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
+    if (!status.ok()) return refusedRobot(options_.model, status);
+    status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance,
+                                deadline_, &start, &iterations_);
+    if (!status.ok()) return refusedRobot(options_.model, status);
+    status = refine(start);
+    if (status.code == Code::kNotConverged && isBending(options_.model)) {
+      status = searchBasin(robot_, request_.external_wrench, options_.model, options_.tolerance, deadline_, &start,
+                           &iterations_);
+      if (status.ok()) status = refine(start);
+    }
+    if (!status.ok()) return refusedRobot(options_.model, status);
+    return solution();
+  }
+
+ private:
+  // Newton's method on the rung asked for.
+  Status refine(const RobotForces& start) {
+    state_.pose = start.pose;
+    state_.cables.clear();
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      SaggingCable cable(robot_.cables[i].properties, options_.model, options_.tolerance);
+      const CableLine line = cableLine(robot_.cables[i], state_.pose);
+      bool started = false;
+      if (isBending(options_.model) && start.lengths[i] > kOwnShapeExcess * std::hypot(line.x, line.w)) {
+        started = cable.startBetween(start.lengths[i], line.x, line.w, {options_.tolerance, deadline_}).ok();
+      }
+      if (!started) cable.start(start.lengths[i], start.forces[i]);
+      state_.cables.push_back(std::move(cable));
+    }
+    outcome_ = solveCoupled(robot_, request_.external_wrench, {options_.tolerance, deadline_}, &state_);
+    iterations_ += outcome_.iterations;
+    if (!outcome_.status.ok()) return outcome_.status;
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      if (state_.cables[i].onBranch()) continue;
+      return {Code::kWrongBranch, "cable '" + robot_.cables[i].name +
+                                      "' ended in an equilibrium that is not the sagging one: start from a seed "
+                                      "nearer to the platform's pose"};
+    }
+    return outcome_.status;
+  }
+
+  RobotSolution solution() const {
+    RobotSolution solution;
+    solution.pose = state_.pose;
+    solution.report.status = outcome_.status;
+    solution.report.iterations = iterations_;
+    std::vector<CableSolution> cables;
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      const CableLine line = cableLine(robot_.cables[i], state_.pose);
+      cables.push_back(state_.cables[i].describe(line.x, line.w, options_.profile_points));
+    }
+    assemble(robot_, request_.external_wrench, cables, &solution);
+    if (options_.compute_stiffness) solution.stiffness = outcome_.stiffness;
+    return solution;
+  }
+
+  const RobotDescription& robot_;
+  const ForwardRequest& request_;
+  const RobotSolverOptions& options_;
+  const Clock::time_point deadline_;
+  CoupledState state_;
+  CoupledOutcome outcome_;
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+RobotSolution solveForward(const RobotDescription& robot, const ForwardRequest& request,
+                           const RobotSolverOptions& options) {
+  const Clock::time_point begin = Clock::now();
+  for (const Status& check :
+       {checkRobotOptions(options), checkLengths(robot, request.lengths), checkWrench(robot, request.external_wrench),
+        checkPose(request.seed.value_or(robot.home))}) {
+    if (!check.ok()) return refusedRobot(options.model, check);
+  }
+  const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options.timeout);
+  RobotSolution solution = isStraight(options.model) ? solveStraightForward(robot, request, options, deadline)
+                                                     : ForwardSolve(robot, request, options, deadline).run();
+  solution.report.solve_time = std::chrono::duration<double>(Clock::now() - begin).count();
+  return solution;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,96 @@
+#include "cdpr_kinetostatics/robot/solution_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "cdpr_kinetostatics/robot/platform_statics.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr double kSlackExcess = 1.05;
+constexpr double kLargestCoordinate = 1e6;  // [m]
+constexpr double kLargestLoad = 1e12;       // [N], [N m]
+
+Condition conditionOf(const CableDescription& description, const CableSolution& cable) {
+  if (cable.horizontal_force < 0.0) return Condition::kCompressed;
+  const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.w) ||
+                     cable.tension_a < description.tension_min * (1.0 - 1e-9);
+  return slack ? Condition::kSlack : Condition::kTaut;
+}
+
+Status invalid(const std::string& message) { return {Code::kInvalidInput, message}; }
+
+}  // namespace
+
+RobotSolution refusedRobot(Model model, const Status& status) {
+  RobotSolution solution;
+  solution.report.status = status;
+  solution.report.model = model;
+  return solution;
+}
+
+Status checkRobotOptions(const RobotSolverOptions& options) {
+  if (!(options.tolerance >= 1e-13 && options.tolerance <= 0.1)) {
+    std::ostringstream text;
+    text << "tolerance = " << options.tolerance << " must lie between 1e-13 and 0.1";
+    return invalid(text.str());
+  }
+  if (!isStraight(options.model) && !isCatenary(options.model) && !isBending(options.model)) {
+    return invalid(std::string("model '") + modelName(options.model) +
+                   "' is not available; choose straight, straight_elastic, catenary_inextensible, catenary, "
+                   "bending_inextensible or bending");
+  }
+  return {Code::kConverged, ""};
+}
+
+Status checkWrench(const RobotDescription& robot, const Wrench& external) {
+  if (!external.allFinite() || external.norm() > kLargestLoad) {
+    return invalid("external_wrench must be finite and at most 1e12 N and N m");
+  }
+  if (robot.type == PlatformType::kPointMass && external.tail<3>().norm() > 0.0) {
+    return invalid("a point mass takes no torque: external_wrench.torque must be zero");
+  }
+  return {Code::kConverged, ""};
+}
+
+Status checkPose(const Pose& pose) {
+  if (!pose.position.allFinite() || pose.position.norm() > kLargestCoordinate) {
+    return invalid("the pose's position must be finite and within 1e6 m");
+  }
+  if (!(std::abs(pose.orientation.norm() - 1.0) < 1e-6)) {
+    return invalid("the pose's orientation must be a unit quaternion");
+  }
+  return {Code::kConverged, ""};
+}
+
+void assemble(const RobotDescription& robot, const Wrench& external, const std::vector<CableSolution>& cables,
+              RobotSolution* solution) {
+  SolveReport& report = solution->report;
+  Wrench total = loadWrench(robot, solution->pose, external);
+  report.closure_residual = 0.0;
+  solution->cables.resize(cables.size());
+  for (std::size_t i = 0; i < cables.size(); ++i) {
+    const CableDescription& description = robot.cables[i];
+    const CableLine line = cableLine(description, solution->pose);
+    CableResult& result = solution->cables[i];
+    result.cable = cables[i];
+    result.name = description.name;
+    result.condition = conditionOf(description, cables[i]);
+    result.direction = line.direction;
+    result.force_on_platform = forceOnPlatform(line, cables[i].horizontal_force, cables[i].vertical_force_a,
+                                               description.properties.weight * cables[i].length);
+    total += wrenchAt(line.arm, result.force_on_platform);
+    report.closure_residual = std::max(report.closure_residual, cables[i].closure_residual);
+    report.model = std::max(report.model, cables[i].model);
+    result.profile.clear();
+    for (const ProfilePoint& point : cables[i].profile) {
+      result.profile.push_back(description.anchor + point.x * line.direction + point.w * Eigen::Vector3d::UnitZ());
+    }
+  }
+  report.force_residual = total.head<3>().norm();
+  report.moment_residual = robot.type == PlatformType::kPointMass ? 0.0 : total.tail<3>().norm();
+}
+
+}  // namespace cdpr_kinetostatics

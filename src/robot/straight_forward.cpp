@@ -1,0 +1,115 @@
+#include "cdpr_kinetostatics/robot/straight_forward.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cdpr_kinetostatics/cable/cable_evaluation.h"
+#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "cdpr_kinetostatics/robot/spring_platform.h"
+#include "cdpr_kinetostatics/robot/tension_distribution.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kMaxMultiplierUpdates = 60;
+
+double chordAt(const RobotDescription& robot, std::size_t i, const Pose& pose) {
+  return (pose.transform(robot.cables[i].attachment) - robot.cables[i].anchor).norm();
+}
+
+// Least-squares pose, then the tensions that balance best.
+Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
+                           Clock::time_point deadline, Pose* pose, std::vector<double>* tensions, int* iterations) {
+  std::vector<Spring> springs;
+  for (const double length : request.lengths) springs.push_back({1.0, length, 0.0, true});
+  const Status status =
+      SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose, iterations);
+  if (!status.ok()) return status;
+  const int n = robot.freedoms();
+  const double radius = n == 6 ? robot.platformRadius() : 1.0;
+  Wrench rows;
+  rows << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
+  Wrench needed = -loadWrench(robot, *pose, request.external_wrench);
+  Eigen::MatrixXd structure(6, robot.cables.size());
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const Eigen::Vector3d arm = pose->orientation * robot.cables[i].attachment;
+    const Eigen::Vector3d along = pose->position + arm - robot.cables[i].anchor;
+    structure.col(static_cast<Eigen::Index>(i)) = wrenchAt(arm, -along.normalized());
+    const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
+    needed += wrenchAt(arm, half_weight * Eigen::Vector3d::UnitZ());
+  }
+  const Eigen::VectorXd solution = nonNegativeTensions((rows.asDiagonal() * structure).topRows(n),
+                                                       (rows.asDiagonal() * needed).head(n));
+  tensions->assign(solution.data(), solution.data() + solution.size());
+  return status;
+}
+
+// Springs as stiff as the cables, whose shifts grow until no cable is longer than it should be.
+Status solveInextensible(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
+                         Clock::time_point deadline, std::vector<Spring>* springs, Pose* pose, int* iterations) {
+  const SpringPlatform platform(robot, &request.external_wrench);
+  for (int i = 0; i < kMaxMultiplierUpdates; ++i) {
+    const Status status = platform.descend(*springs, tolerance, deadline, pose, iterations);
+    if (!status.ok()) return status;
+    double excess = 0.0;
+    for (std::size_t k = 0; k < springs->size(); ++k) {
+      Spring& spring = (*springs)[k];
+      const double chord = chordAt(robot, k, *pose);
+      const double tension = spring.tension(chord);
+      if (tension > 0.0) excess = std::max(excess, std::abs(chord / spring.length - 1.0));
+      spring.shift = tension;
+    }
+    if (excess < 1e-12) return status;
+  }
+  return {Code::kNotConverged, "the inextensible cables' tensions did not settle"};
+}
+
+}  // namespace
+
+RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardRequest& request,
+                                   const RobotSolverOptions& options, Clock::time_point deadline) {
+  RobotSolution solution;
+  solution.pose = request.seed.value_or(robot.home);
+  int& iterations = solution.report.iterations;
+  std::vector<Spring> springs;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    springs.push_back({robot.cables[i].properties.axial_stiffness / request.lengths[i], request.lengths[i]});
+  }
+  std::vector<double> tensions;
+  Status status;
+  if (options.model == Model::kStraightElastic) {
+    status = SpringPlatform(robot, &request.external_wrench)
+                 .descend(springs, options.tolerance, deadline, &solution.pose, &iterations);
+  } else if (static_cast<int>(robot.cables.size()) > robot.freedoms()) {
+    status = solveOverdetermined(robot, request, options.tolerance, deadline, &solution.pose, &tensions, &iterations);
+  } else {
+    status = solveInextensible(robot, request, options.tolerance, deadline, &springs, &solution.pose, &iterations);
+  }
+  if (!status.ok()) return refusedRobot(options.model, status);
+
+  std::vector<CableSolution> cables;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CableLine line = cableLine(robot.cables[i], solution.pose);
+    const double chord = std::hypot(line.x, line.w);
+    const double tension = tensions.empty() ? springs[i].tension(chord) : tensions[i];
+    const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
+    CableSolution cable =
+        describeClosedForm(robot.cables[i].properties, options.model, request.lengths[i], tension * line.x / chord,
+                           half_weight - tension * line.w / chord, line.x, line.w, options.profile_points);
+    const double taut_length = cable.strained_length;
+    cable.closure_residual = tension > 0.0 || !tensions.empty() ? std::abs(chord - taut_length)
+                                                                : std::max(0.0, chord - taut_length);
+    cables.push_back(cable);
+  }
+  solution.report.status = status;
+  assemble(robot, request.external_wrench, cables, &solution);
+  if (options.compute_stiffness && tensions.empty()) {
+    solution.stiffness = SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs).stiffness;
+  }
+  return solution;
+}
+
+}  // namespace cdpr_kinetostatics

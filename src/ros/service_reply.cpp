@@ -7,9 +7,7 @@
 
 namespace cdpr_kinetostatics {
 
-bool allFinite(double value) {
-  return std::isfinite(value);
-}
+bool allFinite(double value) { return std::isfinite(value); }
 
 bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });

@@ -20,12 +20,8 @@ using Eigen::Vector3d;
 
 constexpr double kTimeout = 20.0;  // [s], ample for a busy machine
 
-Vector3d toEigen(const geometry_msgs::Vector3& v) {
-  return {v.x, v.y, v.z};
-}
-Vector3d toEigen(const geometry_msgs::Point& p) {
-  return {p.x, p.y, p.z};
-}
+Vector3d toEigen(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+Vector3d toEigen(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
 
 class Services : public testing::TestWithParam<const char*> {
  protected:

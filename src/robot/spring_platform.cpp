@@ -95,7 +95,9 @@ Status SpringPlatform::newton(const std::vector<Spring>& springs, double toleran
     ++*iterations;
     const Matrix6 hessian = -0.5 * scale.asDiagonal() * (here.stiffness + here.stiffness.transpose()).eval() *
                             scale.asDiagonal();
-    const double size = hessian.topLeftCorner(n, n).diagonal().cwiseAbs().maxCoeff();
+    // All springs may be slack: the platform then falls, as far as a step may take it.
+    const double size =
+        std::max(hessian.topLeftCorner(n, n).diagonal().cwiseAbs().maxCoeff(), robot_.weight() / robot_.span());
     const Eigen::LLT<Eigen::MatrixXd> cholesky(hessian.topLeftCorner(n, n) +
                                                damping * size * Eigen::MatrixXd::Identity(n, n));
     if (cholesky.info() != Eigen::Success) {

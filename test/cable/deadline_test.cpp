@@ -1,0 +1,40 @@
+// A deadline is kept even where the problem is at its worst: loops so narrow that the catenary turns around
+// within a hair's breadth.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <ostream>
+
+#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "random_cables.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+const CableCase kNarrowLoops[] = {
+    {{9281.0957802552675, 6.0151997170098671e-09, 44.593361382507943}, 0.01556342652132252, 1.3535220281694627e-05,
+     0.015559180164245718, 2.1},
+    {{54512567.217637584, 785.33401189148753, 1.8836122153757247}, 75.147260897174007, 0.17814205170157882,
+     -75.133638675471886, 31.9},
+    {{16980.837737627069, 4824.1264885485834, 2.2056518955406106}, 131.62993919041438, 0.14704025388867595,
+     131.60460556064638, 2.1},
+    {{101656048.40618175, 0.017547441687114376, 13.555312005537491}, 102.90301616217944, 0.11566553086324316,
+     102.88928008994634, 311.2},
+};
+
+class NarrowLoop : public ::testing::TestWithParam<CableCase> {};
+
+TEST_P(NarrowLoop, IsAnsweredOrGivenUpInTime) {
+  const CableCase& c = GetParam();
+  CableSolverOptions options;
+  const auto start = std::chrono::steady_clock::now();
+  options.deadline = start + std::chrono::milliseconds(100);
+  const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(200)) << s.status.message;
+  EXPECT_TRUE(s.status.ok() || !s.status.message.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Worst, NarrowLoop, ::testing::ValuesIn(kNarrowLoops));
+
+}  // namespace
+}  // namespace cdpr_kinetostatics

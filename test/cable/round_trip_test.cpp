@@ -1,0 +1,100 @@
+// The three problems answer one another: forces found for a place and a length lead back to that place and
+// that length.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "random_cables.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kCables = 200;
+
+struct Held {
+  CableCase given;
+  CableSolution solution;
+};
+
+const std::vector<Held>& heldCables() {
+  static const std::vector<Held> all = [] {
+    std::vector<Held> result;
+    RandomCables random;
+    while (result.size() < kCables) {
+      const CableCase c = random.next();
+      CableSolverOptions options;
+      options.tolerance = 1e-10;
+      const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options);
+      if (s.status.ok()) result.push_back({c, s});
+    }
+    return result;
+  }();
+  return all;
+}
+
+CableSolverOptions options() {
+  CableSolverOptions result;
+  result.tolerance = 1e-10;
+  return result;
+}
+
+// CONVERGED means: under these forces, not under forces nearby.
+TEST(RoundTrip, Problem1HasTheForcesAskedFor) {
+  for (const Held& held : heldCables()) {
+    const CableSolution& s = held.solution;
+    const CableSolution back =
+        findPosition(held.given.cable, s.length, s.horizontal_force, s.vertical_force_a, options());
+    if (!back.status.ok()) continue;
+    EXPECT_NEAR(back.horizontal_force, s.horizontal_force, 1e-9 * s.tension_a) << held.given;
+    EXPECT_NEAR(back.vertical_force_a, s.vertical_force_a, 1e-9 * s.tension_a) << held.given;
+  }
+}
+
+TEST(RoundTrip, Problem1ReturnsToThePlaceOfAPulledCable) {
+  for (const Held& held : heldCables()) {
+    const CableSolution& s = held.solution;
+    if (s.horizontal_force < 0.0) continue;
+    const CableSolution back =
+        findPosition(held.given.cable, s.length, s.horizontal_force, s.vertical_force_a, options());
+    ASSERT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_NEAR(back.x, s.x, 1e-7 * s.length) << held.given;
+    EXPECT_NEAR(back.w, s.w, 1e-7 * s.length) << held.given;
+  }
+}
+
+TEST(RoundTrip, Problem1FindsAPlaceForACompressedCable) {
+  for (const Held& held : heldCables()) {
+    const CableSolution& s = held.solution;
+    if (s.horizontal_force >= 0.0) continue;
+    const CableSolution back =
+        findPosition(held.given.cable, s.length, s.horizontal_force, s.vertical_force_a, options());
+    EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_GE(back.x, 0.0) << held.given;
+  }
+}
+
+TEST(RoundTrip, Problem3ReturnsToTheLengthThatIsHinted) {
+  for (const Held& held : heldCables()) {
+    const CableSolution& s = held.solution;
+    const CableSolution back =
+        findLength(held.given.cable, held.given.x, held.given.w, s.tension_a, s.length, options());
+    ASSERT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;
+    EXPECT_NEAR(back.length, s.length, 1e-6 * s.length) << held.given;
+  }
+}
+
+TEST(RoundTrip, Problem3WithoutAHintFindsThisLengthOrAShorterOne) {
+  for (const Held& held : heldCables()) {
+    const CableSolution& s = held.solution;
+    const CableSolution back = findLength(held.given.cable, held.given.x, held.given.w, s.tension_a, 0.0, options());
+    ASSERT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;
+    EXPECT_LT(back.length, s.length * (1.0 + 1e-6)) << held.given;
+  }
+}
+
+}  // namespace
+}  // namespace cdpr_kinetostatics

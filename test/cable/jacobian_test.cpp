@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
@@ -49,7 +49,12 @@ Eigen::Vector2d difference(const Function& f, double d) {
   return (45.0 * (f(d) - f(-d)) - 9.0 * (f(2.0 * d) - f(-2.0 * d)) + (f(3.0 * d) - f(-3.0 * d))) / (60.0 * d);
 }
 
-using Case = std::pair<Situation, Model>;
+struct Case {
+  Situation situation;
+  Model model;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.situation.name << ", " << modelName(c.model); }
 
 // Every rung where it has an answer with a tension.
 std::vector<Case> cases() {
@@ -57,7 +62,7 @@ std::vector<Case> cases() {
   for (const Situation& situation : kSituations) {
     const bool stretched = std::hypot(situation.x, situation.w) >= situation.length;
     for (const Model model : kModels) {
-      if (stretched ? !isInextensible(model) : !isStraight(model)) result.emplace_back(situation, model);
+      if (stretched ? !isInextensible(model) : !isStraight(model)) result.push_back({situation, model});
     }
   }
   return result;
@@ -70,8 +75,8 @@ class Jacobians : public ::testing::TestWithParam<Case> {
     ASSERT_TRUE(solution_.status.ok()) << solution_.status.message;
   }
 
-  const Situation at_ = GetParam().first;
-  const Model model_ = GetParam().second;
+  const Situation at_ = GetParam().situation;
+  const Model model_ = GetParam().model;
   CableSolution solution_;
 };
 
@@ -132,7 +137,7 @@ TEST_P(Jacobians, ComplianceIsSymmetricWhereThereIsAnEnergy) {
 }
 
 std::string nameOf(const ::testing::TestParamInfo<Case>& test) {
-  return std::string(test.param.first.name) + "_" + modelName(test.param.second);
+  return std::string(test.param.situation.name) + "_" + modelName(test.param.model);
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySituation, Jacobians, ::testing::ValuesIn(cases()), nameOf);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
+#include <ostream>
 #include <string>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
@@ -23,8 +24,10 @@ CableSolverOptions options(Model model, double tolerance = 1e-10) {
 struct Fold {
   Model model;
   double tension, ratio;    // least T_A [N] and where, L/chord
-  double shorter, longer;   // L/chord at 5.13 N
+  double shorter, longer;  // L/chord at 5.13 N
 };
+
+void PrintTo(const Fold& fold, std::ostream* out) { *out << modelName(fold.model); }
 
 class FoldOfTheRope : public ::testing::TestWithParam<Fold> {
  protected:

@@ -58,7 +58,8 @@ TEST(RoundTrip, Problem1ReturnsToThePlaceOfAPulledCable) {
     if (s.horizontal_force < 0.0) continue;
     const CableSolution back =
         findPosition(held.given.cable, s.length, s.horizontal_force, s.vertical_force_a, options());
-    ASSERT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    if (!back.status.ok()) continue;
     EXPECT_NEAR(back.x, s.x, 1e-7 * s.length) << held.given;
     EXPECT_NEAR(back.w, s.w, 1e-7 * s.length) << held.given;
   }
@@ -80,7 +81,8 @@ TEST(RoundTrip, Problem3ReturnsToTheLengthThatIsHinted) {
     const CableSolution& s = held.solution;
     const CableSolution back =
         findLength(held.given.cable, held.given.x, held.given.w, s.tension_a, s.length, options());
-    ASSERT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    if (!back.status.ok()) continue;
     EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;
     EXPECT_NEAR(back.length, s.length, 1e-6 * s.length) << held.given;
   }
@@ -90,7 +92,8 @@ TEST(RoundTrip, Problem3WithoutAHintFindsThisLengthOrAShorterOne) {
   for (const Held& held : heldCables()) {
     const CableSolution& s = held.solution;
     const CableSolution back = findLength(held.given.cable, held.given.x, held.given.w, s.tension_a, 0.0, options());
-    ASSERT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    if (!back.status.ok()) continue;
     EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;
     EXPECT_LT(back.length, s.length * (1.0 + 1e-6)) << held.given;
   }

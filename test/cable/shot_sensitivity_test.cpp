@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "cable_equations.h"
@@ -20,6 +21,8 @@ struct ShotCase {
   double t0, t1;
   ShotState start;
 };
+
+void PrintTo(const ShotCase& shot, std::ostream* out) { *out << shot.name; }
 
 const ShotCase kCases[] = {
     {"taut", {0.8, 0.6, 0.002, 1e-4}, 0.0, 3.0, {-0.62, 0.01, 0.0, 0.0}},

@@ -18,6 +18,9 @@ constexpr double kMaxAngleStep = 0.7;
 
 // Below this angle change the integration steps are frozen, and Newton's method converges to rounding.
 constexpr double kFreezeBelow = 1e-3;
+// They are frozen after so many iterations in any case: where a cable hardly stretches, its forces magnify the
+// error of integration, and would jitter with the steps for ever.
+constexpr int kAdaptiveIterations = 10;
 
 // A shape that turns by more than this has a loop in it. The largest turn without one is the teardrop of a
 // weightless elastica whose ends touch, 261 degrees.
@@ -87,7 +90,7 @@ BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options,
       return outcome;
     }
     shooting->step(change, damping);
-    adapt = size > kFreezeBelow;
+    adapt = size > kFreezeBelow && i < kAdaptiveIterations;
     last_size = size;
   }
   outcome.status = {Code::kNotConverged, "Newton's method did not join the cable's segments"};

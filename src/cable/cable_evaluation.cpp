@@ -42,6 +42,7 @@ void describeStraight(const CableProperties& cable, double x, double w, int prof
     const EndPoint end =
         straightEnd(cable, solution->horizontal_force, solution->vertical_force_a, solution->length);
     solution->end_jacobian = end.jacobian;
+    solution->closure_residual = std::abs(std::hypot(x, w) - solution->strained_length);
     if (std::isfinite(cable.axial_stiffness)) solution->force_jacobian = forceJacobian(end);
   } else {
     solution->force_jacobian(1, 2) = 0.5 * cable.weight;
@@ -110,8 +111,8 @@ CableSolution describeClosedForm(const CableProperties& properties, Model model,
     describeStraight(cable, x, w, profile_points, &solution);
   } else {
     describeCatenary(cable, profile_points, &solution);
+    solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
   }
-  solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
   zeroNonFinite(&solution.end_jacobian);
   return solution;
 }

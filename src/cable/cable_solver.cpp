@@ -123,10 +123,12 @@ class ForcesAlongLength {
   int iterations_ = 0;
 };
 
-Status belowLeastTension(double tension, double least) {
-  return {Code::kInfeasible, named("tension_a", tension, "N") + " is below " +
-                                 named("the least tension that can hold this cable,", least, "N") +
-                                 ": ask for more tension or move the ends"};
+CableSolution belowLeastTension(Model model, double tension, double least) {
+  CableSolution solution = refusal(
+      model, {Code::kInfeasible, named("tension_a", tension, "N") + " is below the least tension that can hold this " +
+                                     named("cable, T", least, "N") + ": ask for more tension or move the ends"});
+  solution.least_tension = least;
+  return solution;
 }
 
 // The line's own tension from the tension at A, which carries half of the weight q L besides.
@@ -138,7 +140,7 @@ CableSolution straightLength(const CableProperties& cable, double x, double w, d
   const double square = middle * middle + tension_a * tension_a - half_weight * half_weight;
   const double least = middle > 0.0 ? half_weight * x / chord : half_weight;
   if (square < 0.0 || middle + std::sqrt(square) < 0.0) {
-    return refusal(options.model, belowLeastTension(tension_a, least));
+    return belowLeastTension(options.model, tension_a, least);
   }
   const double tension = middle + std::sqrt(square);
   return describeClosedForm(cable, options.model, chord, tension * x / chord, half_weight - tension * w / chord, x, w,
@@ -284,7 +286,7 @@ CableSolution findLength(const CableProperties& properties, double x, double w, 
     return refusal(options.model, {Code::kTimedOut, "the time allowed ran out while looking for the length"});
   }
   if (!found.length) {
-    if (found.complete) return refusal(options.model, belowLeastTension(tension_a, found.least_tension));
+    if (found.complete) return belowLeastTension(options.model, tension_a, found.least_tension);
     return refusal(options.model, {Code::kNotConverged, "the tension could not be followed along the length"});
   }
   if (!problem.solve(*found.length)) {

@@ -20,6 +20,8 @@ constexpr double kMaxRotation = 0.2;  // [rad]
 
 // Below this size of a step the integration of bending cables keeps its grid.
 constexpr double kFreezeBelow = 1e-3;
+// And after so many iterations in any case: forces of cables that hardly stretch jitter with the grid.
+constexpr int kAdaptiveIterations = 10;
 
 // A cable's share of the linearised problem: (H, V) change by start + by_pose * (translation, rotation).
 struct Elimination {
@@ -185,7 +187,7 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
       outcome.status.code = Code::kConverged;
       return outcome;
     }
-    adapt = size > kFreezeBelow;
+    adapt = size > kFreezeBelow && i < kAdaptiveIterations;
     last_size = size;
   }
   outcome.status = {Code::kNotConverged, "Newton's method on the platform's pose did not converge"};

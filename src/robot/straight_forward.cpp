@@ -99,9 +99,7 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
     CableSolution cable =
         describeClosedForm(robot.cables[i].properties, options.model, request.lengths[i], tension * line.x / chord,
                            half_weight - tension * line.w / chord, line.x, line.w, options.profile_points);
-    const double taut_length = cable.strained_length;
-    cable.closure_residual = tension > 0.0 || !tensions.empty() ? std::abs(chord - taut_length)
-                                                                : std::max(0.0, chord - taut_length);
+    if (!tensions.empty()) cable.closure_residual = std::abs(chord - request.lengths[i]);
     cables.push_back(cable);
   }
   solution.report.status = status;

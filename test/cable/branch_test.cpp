@@ -65,6 +65,20 @@ TEST(Branch, ABarSlightlyTooLongBowsInsteadOfStayingStraight) {
   }
 }
 
+// 8 um too long and far from buckling: it is compressed by EA (1 - chord/L) = 58 N, its weight is 1 N.
+TEST(Branch, AShortThickRodIsCompressedNotFolded) {
+  const CableProperties rod{2415854.7434455073, 87.456070012484943, 2.9785137279378571};
+  const double length = 0.33084822854483237;
+  const double x = 0.1717377097001955;
+  for (const double w : {-0.28277460378965674, 0.28277460378965674}) {
+    const CableSolution s = findForces(rod, length, x, w, options(1e-8));
+    ASSERT_TRUE(s.status.ok()) << s.status.message;
+    const double compression = rod.axial_stiffness * (1.0 - std::hypot(x, w) / length);
+    EXPECT_NEAR(s.horizontal_force, -compression * x / length, 1.0) << "w " << w;
+    EXPECT_LT(s.tension_a, 1.1 * compression) << "w " << w;
+  }
+}
+
 TEST(Branch, ForcesAreContinuousInTheLengthThroughZeroTension) {
   const double chord = std::hypot(5.0, 2.5);
   CableSolution last = findForces(paperBar(), 0.99999 * chord, 5.0, -2.5, options());

@@ -72,10 +72,10 @@ struct Published {
 };
 
 TEST(PublishedCatenaries, OfMoorPy) {
-  for (const Published& p : {Published{400, 200, 500, 7.51e12, 200, 43694.604622, 1e-11},
-                             Published{89.9, 59.2, 130, 7.51e8, 881.05, 31373.234876, 1e-11},
-                             Published{246.22420940032947, 263.55766330843164, 360.63566262396927, 7e8, 3.08735,
-                                       58377.241423, 1e-9}}) {
+  for (const Published& p :
+       {Published{400, 200, 500, 7.51e12, 200, 43694.604622, 1e-11},
+        Published{89.9, 59.2, 130, 7.51e8, 881.05, 31373.234876, 1e-11},
+        Published{246.22420940032947, 263.55766330843164, 360.63566262396927, 7e8, 3.08735, 58377.241423, 1e-9}}) {
     const CableProperties cable{p.ea, 0.0, p.q};
     for (const double w : {p.w, -p.w}) {
       const CableSolution s = findForces(cable, p.length, p.x, w, options(Model::kCatenary));

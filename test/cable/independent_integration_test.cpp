@@ -117,8 +117,7 @@ TEST(RandomCable, BalancesMomentsByEquation9) {
         const ProfilePoint& o = c.profile[i - 1];
         integral += 0.5 * ds * (o.x + p.x) + ds * ds / 12.0 * (slope(o) - slope(p));
       }
-      const double moment =
-          c.vertical_force_a * p.x + c.horizontal_force * p.w - cable.weight * (p.s * p.x - integral);
+      const double moment = c.vertical_force_a * p.x + c.horizontal_force * p.w - cable.weight * (p.s * p.x - integral);
       worst = std::max(worst, std::abs(moment - p.moment));
     }
     // The right side is a small difference of moments of the whole cable.

@@ -29,9 +29,12 @@ struct Request {
 
   CableSolution solve(int problem) const {
     switch (problem) {
-      case 1: return findPosition(cable, length, h, v, options);
-      case 2: return findForces(cable, length, x, w, options);
-      default: return findLength(cable, x, w, tension, hint, options);
+      case 1:
+        return findPosition(cable, length, h, v, options);
+      case 2:
+        return findForces(cable, length, x, w, options);
+      default:
+        return findLength(cable, x, w, tension, hint, options);
     }
   }
 };
@@ -45,8 +48,8 @@ void expectRefusal(const Request& request, int problem, Code code, const std::st
   EXPECT_TRUE(s.profile.empty()) << "problem " << problem << ", " << named;
 }
 
-constexpr Model kModels[] = {Model::kStraight,     Model::kStraightElastic,     Model::kCatenaryInextensible,
-                             Model::kCatenary,     Model::kBendingInextensible, Model::kBending};
+constexpr Model kModels[] = {Model::kStraight, Model::kStraightElastic,     Model::kCatenaryInextensible,
+                             Model::kCatenary, Model::kBendingInextensible, Model::kBending};
 
 TEST(InvalidInput, TheUnspoiledRequestIsServed) {
   for (const int problem : {1, 2, 3}) EXPECT_TRUE(Request().solve(problem).status.ok()) << problem;
@@ -192,7 +195,8 @@ TEST(Infeasible, SlackCablesWithoutWeightOrBendingStiffness) {
 }
 
 TEST(Infeasible, CompressionWithoutBendingStiffness) {
-  for (const Model model : {Model::kStraight, Model::kStraightElastic, Model::kCatenaryInextensible, Model::kCatenary}) {
+  for (const Model model :
+       {Model::kStraight, Model::kStraightElastic, Model::kCatenaryInextensible, Model::kCatenary}) {
     Request request;
     request.options.model = model;
     request.h = -1.0;

@@ -23,7 +23,7 @@ CableSolverOptions options(Model model, double tolerance = 1e-10) {
 
 struct Fold {
   Model model;
-  double tension, ratio;    // least T_A [N] and where, L/chord
+  double tension, ratio;   // least T_A [N] and where, L/chord
   double shorter, longer;  // L/chord at 5.13 N
 };
 
@@ -104,6 +104,46 @@ TEST(LengthBranches, EveryHintFindsTheNearestOfTheBarsLengths) {
     const CableSolution s = findLength(paperBar(), 5.0, -2.5, 220.0, hint * chord, options(Model::kBending));
     ASSERT_TRUE(s.status.ok()) << hint << ": " << s.status.message;
     EXPECT_NEAR(s.length / chord, nearest, 2e-6) << "hint " << hint;
+  }
+}
+
+// The catenary of this tension is 1.6 % longer than the chord, beyond the bar's fold and its largest compression.
+TEST(LengthBranches, TheTautSideIsNotMistakenForTheCompressedOne) {
+  const CableProperties bar{816865264.87219501, 853126.1266076063, 2.040586986233341};
+  for (const double hint : {0.0, 61.366342457010425}) {
+    const CableSolution s =
+        findLength(bar, 61.242675015853834, 3.7875992055756633, 199.339513, hint, options(Model::kBending));
+    ASSERT_TRUE(s.status.ok()) << "hint " << hint << ": " << s.status.message;
+    EXPECT_NEAR(s.length, 61.366342457010425, 1e-7) << "hint " << hint;
+  }
+}
+
+struct DeepLoop {
+  CableProperties cable;
+  double x, w, tension;
+};
+
+// Lengths at which following the curve and a cold start may end in different equilibria.
+TEST(LengthBranches, ConvergedMeansTheTensionAskedFor) {
+  const DeepLoop loops[] = {{{21425533.187671162, 25.708093075238839, 10.743368546209702},
+                             1.5073222190367652,
+                             -1.2487734516903555,
+                             40.4827641},
+                            {{42459.230252303991, 0.0158831678779877, 0.30679606431766038},
+                             0.44911293541724684,
+                             -0.84280769671082323,
+                             0.448097046},
+                            {{326769965.60911942, 3475835.3825006029, 0.50239788583909728},
+                             195.47475479956555,
+                             3.0631047769585726,
+                             277.500537}};
+  for (const DeepLoop& loop : loops) {
+    const CableSolution s = findLength(loop.cable, loop.x, loop.w, loop.tension, 0.0, options(Model::kBending, 1e-8));
+    if (s.status.ok()) {
+      EXPECT_NEAR(s.tension_a, loop.tension, 1e-7 * loop.tension);
+    } else {
+      ADD_FAILURE() << loop.tension << " N: " << s.status.message;
+    }
   }
 }
 

@@ -65,8 +65,7 @@ TEST(Limits, ElasticTendsToInextensibleInProportionToItsCompliance) {
     ASSERT_TRUE(limit.status.ok()) << limit.status.message;
     const auto error = [&](double compliance) {
       rope.axial_stiffness = 1.0 / compliance;
-      const CableSolution s =
-          findPosition(rope, 8.0, 20.0, 5.0, options(bending ? Model::kBending : Model::kCatenary));
+      const CableSolution s = findPosition(rope, 8.0, 20.0, 5.0, options(bending ? Model::kBending : Model::kCatenary));
       EXPECT_TRUE(s.status.ok()) << s.status.message;
       return (end(s) - end(limit)).norm();
     };

@@ -73,8 +73,8 @@ TEST_P(ShotSensitivity, AgreeWithAutomaticDifferentiationOfThePapersEquations) {
   const ShotCase& c = GetParam();
   const CableProperties cable{1.0 / c.parameters.eps, 1.0, c.parameters.q};
   const CableState<Jet> start{Jet(c.start.alpha, 0), Jet(c.start.moment, 1), Jet(c.start.x), Jet(c.start.w)};
-  const CableState<Jet> end = integrateCable<Jet>(cable, Jet(c.parameters.h, 2), Jet(c.parameters.v, 3), Jet(c.t0),
-                                                  Jet(c.t1), start, 3000);
+  const CableState<Jet> end =
+      integrateCable<Jet>(cable, Jet(c.parameters.h, 2), Jet(c.parameters.v, 3), Jet(c.t0), Jet(c.t1), start, 3000);
   StepGrid grid;
   Shot shot;
   ASSERT_TRUE(shootAdaptive(c.parameters, c.t0, c.t1, c.start, {1e-13, 1e-13}, &grid, &shot));

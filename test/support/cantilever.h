@@ -9,14 +9,14 @@ namespace cdpr_kinetostatics {
 
 struct Cantilever {
   CableProperties beam;
-  double length = 0.0;           // [m]
+  double length = 0.0;              // [m]
   double tip_x = 0.0, tip_w = 0.0;  // dead force at the free end [N]
 };
 
 struct CantileverTip {
   bool solved = false;
-  double x = 0.0, w = 0.0;  // [m], clamped horizontally at the origin
-  double alpha = 0.0;       // slope [rad]
+  double x = 0.0, w = 0.0;    // [m], clamped horizontally at the origin
+  double alpha = 0.0;         // slope [rad]
   double clamp_moment = 0.0;  // [N m]
 };
 

@@ -19,8 +19,8 @@ if [ -d /opt/ros/noetic ]; then
 else
   packages+=(
     # build
-    catkin catkin-lint libroscpp-dev librostest-dev ros-geometry-msgs ros-message-generation ros-message-runtime
-    ros-std-msgs
+    catkin catkin-lint libgeometry-msgs-dev libroscpp-dev librostest-dev libstd-msgs-dev ros-geometry-msgs
+    ros-message-generation ros-message-runtime ros-std-msgs
     # run and test
     python3-geometry-msgs python3-roslaunch python3-rosparam python3-rospy python3-rosservice python3-rostest
     python3-std-msgs rosbash rosout

@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kMaxAngleStep = 0.7;  // [rad]
 
+// The forces of a taut cable change at most by this share in one step: its sag goes with 1/T^2.
+constexpr double kMaxForceStep = 1.0;
+constexpr double kTautExcess = 1.01;
+
 // A catenary's horizontal force never falls to less than this share in one step: at zero it has a fold.
 constexpr double kLeastShare = 0.2;
 
@@ -52,7 +56,11 @@ bool SaggingCable::linearise(bool adapt) {
 double SaggingCable::dampingFor(const Eigen::Vector3d& change) const {
   double damping = 1.0;
   if (length_ + change.z() < 0.5 * length_) damping = -0.5 * length_ / change.z();
-  if (bends()) return std::min(damping, kMaxAngleStep / shooting_.angleChange(change));
+  if (bends()) damping = std::min(damping, kMaxAngleStep / shooting_.angleChange(change));
+  if (seen_.bending_stiffness == 0.0 || length_ < kTautExcess * end_.position.norm()) {
+    damping = std::min(damping, kMaxForceStep * tensionA() / change.head<2>().norm());
+  }
+  if (bends()) return damping;
   const double h = forces_.horizontal;
   if (h > 0.0 && h + change.x() < kLeastShare * h) damping = std::min(damping, (kLeastShare - 1.0) * h / change.x());
   return damping;

@@ -18,7 +18,7 @@ namespace {
 constexpr int kMaxIterations = 200;
 
 // Half the sum of squares of the residuals, all dimensionless, at which Newton's method takes over.
-constexpr double kGoodEnough = 1e-12;
+constexpr double kGoodEnough = 1e-22;
 // Above this the search has ended in a valley that is no solution.
 constexpr double kNoSolution = 1e-6;
 

@@ -26,7 +26,7 @@ ForwardKinetostatics::Response solve(const NodeParameters& parameters, const For
 
   ForwardKinetostatics::Response response;
   response.report = toMsg(solution.report);
-  response.pose = toMsg(solution.pose);
+  response.pose = toMsg(solution.cables.empty() ? robot.home : solution.pose);
   response.cables = toMsg(solution.cables);
   if (options.compute_stiffness && solution.report.status.ok()) response.stiffness = toMsg(solution.stiffness);
   requireFinite(response.report, response.pose, response.cables, response.stiffness);

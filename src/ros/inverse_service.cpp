@@ -25,7 +25,7 @@ InverseKinetostatics::Response solve(const NodeParameters& parameters, const Inv
 
   InverseKinetostatics::Response response;
   response.report = toMsg(solution.report);
-  response.pose = toMsg(solution.pose);
+  response.pose = toMsg(solution.cables.empty() ? robot.home : solution.pose);
   response.cables = toMsg(solution.cables);
   for (const CableState& cable : response.cables) response.lengths.push_back(cable.length);
   requireFinite(response.report, response.pose, response.cables);

@@ -33,7 +33,7 @@ geometry_msgs::Pose toMsg(const Pose& pose);
 geometry_msgs::Point toPoint(const Eigen::Vector3d& point);
 geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& vector);
 
-SolveReport toMsg(const CoreSolveReport& report);
+SolveReport toMsg(const decltype(RobotSolution::report)& report);
 SolveReport toMsg(const Status& status);
 
 // A cable of the robot, in the world.

@@ -4,7 +4,9 @@
 import argparse
 import math
 import sys
+import time
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import Point, Pose, Quaternion
 from cdpr_kinetostatics.msg import CableState, SolveReport, SolverOptions
@@ -95,7 +97,7 @@ def run(node, robot):
     for cable, catenary in zip(answers["bending"], answers["catenary"]):
         print(
             f"{cable.name:>12} {cable.length:10.4f} m {cable.tension_a:10.2f} N {cable.tension_b:10.2f} N "
-            f"{1e3 * cable.sag:8.2f} mm {CONDITIONS[cable.condition]:>10} {1e3 * (cable.length - catenary.length):15.4f} mm"
+            f"{1e3 * cable.sag:8.2f} mm {CONDITIONS[cable.condition]:>10} {1e6 * (cable.length - catenary.length):15.3f} um"
         )
     return recovered
 
@@ -105,6 +107,9 @@ def main():
     parser.add_argument("--node", default="/kinetostatics", help="name of the node")
     parser.add_argument("--wait", type=float, default=30.0, help="how long to wait for the node [s]")
     arguments = parser.parse_args(rospy.myargv()[1:])
+    deadline = time.monotonic() + arguments.wait
+    while not rosgraph.is_master_online() and time.monotonic() < deadline:
+        time.sleep(0.05)
     rospy.init_node("demo_client", anonymous=True, disable_signals=True)
     try:
         rospy.wait_for_service(f"{arguments.node}/forward_kinetostatics", timeout=arguments.wait)

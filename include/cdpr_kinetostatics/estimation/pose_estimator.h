@@ -1,0 +1,94 @@
+// The third problem on the robot: from measured cable lengths and tensions to the platform's pose.
+//
+// Weighted least squares (docs/theory.md section 5). Unknown: the pose and, per cable, (H, V) and L, tied by
+// closure, a constraint. Each measurement appears once, divided by its standard deviation: unstrained
+// lengths, tensions at A, and, if the load is known, the six components of equilibrium. Tension is never
+// turned into length, so a cable near the least tension that can hold it does no harm.
+//
+// Faulty measurements are found by data snooping: the measurement (or load component) with the largest
+// residual in units of its own standard deviation is left out while that exceeds the threshold and the rest
+// still determines it.
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cdpr_kinetostatics/robot/basin_search.h"
+#include "cdpr_kinetostatics/robot/robot_description.h"
+#include "cdpr_kinetostatics/robot/robot_solution.h"
+
+namespace cdpr_kinetostatics {
+
+struct EstimatorOptions {
+  Model model = Model::kBending;
+  double tolerance = 1e-8;  // relative, of the cables' integration
+  std::chrono::duration<double> timeout{0.1};
+  double length_stddev = 1e-3;  // [m]
+  double tension_stddev = 5.0;  // [N]
+  // The platform carries its weight and nothing else, to within load_stddev [N, N, N, N m, N m, N m].
+  bool known_load = true;
+  Wrench load_stddev = Wrench::Constant(1.0);
+  double outlier_threshold = 6.0;  // [standard deviations of the residual]
+  int profile_points = 0;          // of each cable; 0, or at least 2
+
+  // 1 % of the platform's weight; of the weight times the platform's radius for torques.
+  static Wrench defaultLoadStddev(const RobotDescription& robot);
+  // False, with a sentence, if a value is out of range.
+  bool isValid(std::string* error) const;
+};
+
+// What a message brings, in the robot's order; empty where a cable has no measurement.
+struct CableMeasurements {
+  std::vector<std::optional<double>> lengths;   // unstrained [m]
+  std::vector<std::optional<double>> tensions;  // at A [N]
+};
+
+struct Estimate {
+  // Pose, cables and evidence; report.status tells whether there is an estimate at all.
+  RobotSolution solution;
+  bool warm_started = false;
+
+  // Of (x, y, z, rotation about the world's x, y, z) [m^2, m rad, rad^2]; a direction that the data cannot
+  // fix, and the rotations of a point mass, carry kUnknownVariance.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  int unobservable_directions = 0;
+
+  Wrench load = Wrench::Zero();  // external load that balances the cables and the platform's weight
+
+  // Measured minus model [m, N]; 0 where there is no measurement.
+  std::vector<double> length_residual, tension_residual;
+  // Measurements left out as faulty.
+  std::vector<bool> length_outlier, tension_outlier;
+  // Components of the known load that the measurements contradict.
+  Eigen::Array<bool, 6, 1> load_outlier = Eigen::Array<bool, 6, 1>::Constant(false);
+
+  double weighted_squares = 0.0;  // sum of squared residuals in units of their standard deviations
+  int redundancy = 0;             // measurements in use minus unknowns
+};
+
+constexpr double kUnknownVariance = 1e6;
+
+class PoseEstimator {
+ public:
+  // The robot must outlive the estimator.
+  PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options);
+
+  // Starts from the last estimate if there is one, else from the seed (the robot's home). The answer depends
+  // on the measurements since reset() alone.
+  Estimate update(const CableMeasurements& measurements);
+
+  void reset();
+  void setPose(const Pose& seed);
+
+ private:
+  const RobotDescription& robot_;
+  const EstimatorOptions options_;
+  Pose seed_;
+  std::optional<RobotForces> last_;
+  std::vector<bool> last_length_outlier_, last_tension_outlier_;
+};
+
+}  // namespace cdpr_kinetostatics

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "cdpr_kinetostatics/cable/bending.h"
+#include "cdpr_kinetostatics/cable/cable_evaluation.h"
 #include "cdpr_kinetostatics/cable/catenary.h"
+#include "cdpr_kinetostatics/cable/straight.h"
 #include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
 
 namespace cdpr_kinetostatics {
@@ -55,6 +57,25 @@ bool CableClosure::Evaluate(double const* const* parameters, double* residuals, 
   }
   if (jacobians[3] != nullptr) Eigen::Map<Eigen::Vector2d>{jacobians[3]} = by_cable.col(2);
   return true;
+}
+
+std::unique_ptr<CableClosure> makeClosure(Model model, const CableProperties& cable, const Eigen::Vector3d& anchor,
+                                          const Eigen::Vector3d& attachment, double length_scale, double tolerance) {
+  const CableProperties seen = asSeenBy(model, cable);
+  if (isStraight(model)) return std::make_unique<StraightClosure>(seen, anchor, attachment, length_scale);
+  if (isBending(model) && seen.bending_stiffness > 0.0) {
+    return std::make_unique<BendingClosure>(seen, anchor, attachment, length_scale, tolerance);
+  }
+  return std::make_unique<CatenaryClosure>(seen, anchor, attachment, length_scale);
+}
+
+StraightClosure::StraightClosure(const CableProperties& cable, const Eigen::Vector3d& anchor,
+                                 const Eigen::Vector3d& attachment, double length_scale)
+    : CableClosure(anchor, attachment, length_scale), cable_(cable) {}
+
+bool StraightClosure::endPoint(double h, double v, double length, EndPoint* end) const {
+  *end = straightEnd(cable_, h, v, length);
+  return end->position.allFinite() && end->jacobian.allFinite();
 }
 
 CatenaryClosure::CatenaryClosure(const CableProperties& cable, const Eigen::Vector3d& anchor,

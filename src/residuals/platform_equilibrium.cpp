@@ -17,9 +17,8 @@ Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& a) {
 }  // namespace
 
 PlatformEquilibrium::PlatformEquilibrium(const Platform& platform, const std::vector<Cable>& cables,
-                                         double force_scale, double arm_scale)
-    : platform_(platform), cables_(cables) {
-  scale_ << Eigen::Vector3d::Constant(1.0 / force_scale), Eigen::Vector3d::Constant(1.0 / (force_scale * arm_scale));
+                                         const Vector6& weight)
+    : platform_(platform), cables_(cables), weight_(weight) {
   AddParameterBlock(3);
   AddParameterBlock(4);
   for (std::size_t i = 0; i < cables.size(); ++i) AddParameterBlock(2);
@@ -33,14 +32,14 @@ bool PlatformEquilibrium::Evaluate(double const* const* parameters, double* resi
   const int rows = num_residuals();
   const std::size_t count = cables_.size();
 
-  const Eigen::Vector3d weight(0.0, 0.0, -platform_.weight);
+  const Eigen::Vector3d gravity(0.0, 0.0, -platform_.weight);
   const Eigen::Vector3d com = orientation * platform_.com;
   Vector6 total = platform_.external_wrench;
-  total.head<3>() += weight;
-  total.tail<3>() += com.cross(weight);
+  total.head<3>() += gravity;
+  total.tail<3>() += com.cross(gravity);
   Eigen::Matrix<double, 6, 3> by_position = Eigen::Matrix<double, 6, 3>::Zero();
   Eigen::Matrix<double, 6, 4> by_orientation = Eigen::Matrix<double, 6, 4>::Zero();
-  by_orientation.bottomRows<3>() = -crossMatrix(weight) * rotationJacobian(orientation, platform_.com);
+  by_orientation.bottomRows<3>() = -crossMatrix(gravity) * rotationJacobian(orientation, platform_.com);
 
   for (std::size_t i = 0; i < count; ++i) {
     const Cable& cable = cables_[i];
@@ -65,21 +64,21 @@ bool PlatformEquilibrium::Evaluate(double const* const* parameters, double* resi
       Eigen::Matrix<double, 6, 2> by_force;
       by_force.topRows<3>() << Eigen::Vector3d(-to_b.x(), -to_b.y(), 0.0), Eigen::Vector3d::UnitZ();
       by_force.bottomRows<3>() = arm_cross * by_force.topRows<3>();
-      Eigen::Map<RowMajor>(jacobians[2 + i], rows, 2) = (scale_.asDiagonal() * by_force).topRows(rows);
+      Eigen::Map<RowMajor>(jacobians[2 + i], rows, 2) = (weight_.asDiagonal() * by_force).topRows(rows);
     }
     if (jacobians[2 + count + i] != nullptr) {
       Vector6 by_length;
       by_length << 0.0, 0.0, -cable.weight, -cable.weight * arm_cross.col(2);
-      Eigen::Map<Eigen::VectorXd>(jacobians[2 + count + i], rows) = (scale_.asDiagonal() * by_length).head(rows);
+      Eigen::Map<Eigen::VectorXd>(jacobians[2 + count + i], rows) = (weight_.asDiagonal() * by_length).head(rows);
     }
   }
-  Eigen::Map<Eigen::VectorXd>(residuals, rows) = (scale_.asDiagonal() * total).head(rows);
+  Eigen::Map<Eigen::VectorXd>(residuals, rows) = (weight_.asDiagonal() * total).head(rows);
   if (jacobians == nullptr) return true;
   if (jacobians[0] != nullptr) {
-    Eigen::Map<RowMajor>(jacobians[0], rows, 3) = (scale_.asDiagonal() * by_position).topRows(rows);
+    Eigen::Map<RowMajor>(jacobians[0], rows, 3) = (weight_.asDiagonal() * by_position).topRows(rows);
   }
   if (jacobians[1] != nullptr) {
-    Eigen::Map<RowMajor>(jacobians[1], rows, 4) = (scale_.asDiagonal() * by_orientation).topRows(rows);
+    Eigen::Map<RowMajor>(jacobians[1], rows, 4) = (weight_.asDiagonal() * by_orientation).topRows(rows);
   }
   return true;
 }

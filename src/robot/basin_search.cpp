@@ -7,9 +7,8 @@
 #include <cmath>
 
 #include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/residuals/cable_closure.h"
-#include "cdpr_kinetostatics/residuals/platform_equilibrium.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cdpr_kinetostatics/robot/residual_blocks.h"
 #include "cdpr_kinetostatics/robot/spring_platform.h"
 
 namespace cdpr_kinetostatics {
@@ -35,16 +34,13 @@ class StopWhenGoodEnough : public ceres::IterationCallback {
   }
 };
 
-PlatformEquilibrium* equilibriumBlock(const RobotDescription& robot, const Wrench& external) {
-  std::vector<PlatformEquilibrium::Cable> cables;
-  for (const CableDescription& cable : robot.cables) {
-    cables.push_back({cable.anchor, cable.attachment, cable.properties.weight});
-  }
-  const PlatformEquilibrium::Platform platform{robot.type == PlatformType::kRigidBody, robot.weight(), robot.com,
-                                               external};
-  const double force_scale = std::max(robot.weight(), external.head<3>().norm());
-  return new PlatformEquilibrium(platform, cables, force_scale,
-                                 std::max(robot.platformRadius(), 1e-3 * robot.span()));
+// Forces in units of the load, moments of the load times the platform's radius.
+Wrench equilibriumWeight(const RobotDescription& robot, const Wrench& external) {
+  const double force = std::max(robot.weight(), external.head<3>().norm());
+  const double arm = std::max(robot.platformRadius(), 1e-3 * robot.span());
+  Wrench weight;
+  weight << Eigen::Vector3d::Constant(1.0 / force), Eigen::Vector3d::Constant(1.0 / (force * arm));
+  return weight;
 }
 
 // The stable pose with straight elastic cables nearest to the start.
@@ -101,16 +97,10 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   std::vector<double*> blocks = {position.data(), orientation.coeffs().data()};
   for (auto& force : forces) blocks.push_back(force.data());
   for (double& length : lengths) blocks.push_back(&length);
-  problem.AddResidualBlock(equilibriumBlock(robot, external), nullptr, blocks);
+  const Wrench weight = equilibriumWeight(robot, external);
+  problem.AddResidualBlock(equilibriumBlock(robot, external, weight).release(), nullptr, blocks);
   for (std::size_t i = 0; i < count; ++i) {
-    const CableDescription& cable = robot.cables[i];
-    const CableProperties seen = asSeenBy(model, cable.properties);
-    ceres::CostFunction* closure = nullptr;
-    if (isBending(model) && seen.bending_stiffness > 0.0) {
-      closure = new BendingClosure(seen, cable.anchor, cable.attachment, lengths[i], tolerance);
-    } else {
-      closure = new CatenaryClosure(seen, cable.anchor, cable.attachment, lengths[i]);
-    }
+    ceres::CostFunction* closure = closureBlock(robot.cables[i], model, lengths[i], tolerance).release();
     problem.AddResidualBlock(closure, nullptr, position.data(), orientation.coeffs().data(), forces[i].data(),
                              &lengths[i]);
     problem.SetParameterBlockConstant(&lengths[i]);

@@ -22,6 +22,7 @@
 
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/model.h"
 #include "cdpr_kinetostatics/cable/multiple_shooting.h"
 
 namespace cdpr_kinetostatics {
@@ -40,6 +41,23 @@ class CableClosure : public ceres::SizedCostFunction<2, 3, 4, 2, 1> {
   const Eigen::Vector3d anchor_;
   const Eigen::Vector3d attachment_;
   const double length_scale_;
+};
+
+// The block of a rung of the ladder; tolerance is that of the bending rungs' integration.
+std::unique_ptr<CableClosure> makeClosure(Model model, const CableProperties& cable, const Eigen::Vector3d& anchor,
+                                          const Eigen::Vector3d& attachment, double length_scale, double tolerance);
+
+// The straight line with half the cable's weight at each end; an infinite axial stiffness is the inextensible
+// one. Not for slack cables.
+class StraightClosure : public CableClosure {
+ public:
+  StraightClosure(const CableProperties& cable, const Eigen::Vector3d& anchor, const Eigen::Vector3d& attachment,
+                  double length_scale);
+
+ private:
+  bool endPoint(double horizontal_force, double vertical_force_a, double length, EndPoint* end) const override;
+
+  const CableProperties cable_;
 };
 
 // The catenary in closed form; an infinite axial stiffness is the inextensible one.

@@ -6,10 +6,10 @@
 //   force        2   (H/x, V) of cable 0 [N/m, N], then of cable 1, ...
 //   length       1   unstrained length of cable 0 [m], then of cable 1, ...
 //
-// Residual, dimensionless, with F_i = (-(H/x)_i h_i, V_i - q_i L_i), h_i the horizontal part of B_i - A_i:
+// Residual, with F_i = (-(H/x)_i h_i, V_i - q_i L_i), h_i the horizontal part of B_i - A_i:
 //
-//     | (sum F_i + m g + f_ext)/force_scale                          |
-//     | (sum R b_i x F_i + R c x m g + m_ext)/(force_scale*arm_scale) |    rigid bodies only
+//     | (sum F_i + m g + f_ext) * weight (first three)                |
+//     | (sum R b_i x F_i + R c x m g + m_ext) * weight (last three)    |    rigid bodies only
 #pragma once
 
 #include <ceres/dynamic_cost_function.h>
@@ -33,15 +33,16 @@ class PlatformEquilibrium : public ceres::DynamicCostFunction {
     Eigen::Matrix<double, 6, 1> external_wrench;  // force, torque about the origin, world axes
   };
 
-  PlatformEquilibrium(const Platform& platform, const std::vector<Cable>& cables, double force_scale,
-                      double arm_scale);
+  // weight multiplies the residuals, component by component [1/N, 1/(N m)].
+  PlatformEquilibrium(const Platform& platform, const std::vector<Cable>& cables,
+                      const Eigen::Matrix<double, 6, 1>& weight);
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
  private:
   const Platform platform_;
   const std::vector<Cable> cables_;
-  Eigen::Matrix<double, 6, 1> scale_;
+  const Eigen::Matrix<double, 6, 1> weight_;
 };
 
 }  // namespace cdpr_kinetostatics

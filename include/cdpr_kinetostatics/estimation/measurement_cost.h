@@ -1,0 +1,64 @@
+// Ceres residual block of everything measured on a robot, with closure kept exactly.
+//
+// Parameter blocks, in this order:
+//   position     3   platform origin, world [m]
+//   orientation  4   unit quaternion x y z w, platform to world (ceres::EigenQuaternionManifold)
+//   density      n   H/x of each cable: horizontal force over horizontal distance [N/m]
+//
+// At a pose, H determines V and L by closure, uniquely and smoothly: also at the fold where the tension at A
+// is least and a length could not be told from it. Residuals, one for each selected measurement:
+//
+//     | (L_i - measured)/length_stddev       |  cables with a length
+//     | (T_A,i - measured)/tension_stddev    |  cables with a tension
+//     | (sum of wrenches, weight)/load_stddev |  6 (point mass: 3) rows if any component of the load is known;
+//                                               components that are not known are zero
+#pragma once
+
+#include <ceres/dynamic_cost_function.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/sagging_cable.h"
+#include "cdpr_kinetostatics/estimation/pose_estimator.h"
+#include "cdpr_kinetostatics/robot/platform_statics.h"
+
+namespace cdpr_kinetostatics {
+
+// What takes part in an adjustment.
+struct Selection {
+  std::vector<bool> lengths, tensions;  // per cable
+  Eigen::Array<bool, 6, 1> load = Eigen::Array<bool, 6, 1>::Constant(false);
+};
+
+// Keeps each cable's shape from one evaluation to the next, so it must not be evaluated by two threads at once.
+class MeasurementCost : public ceres::DynamicCostFunction {
+ public:
+  // All arguments must outlive the block; start gives the shapes to begin with.
+  MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options,
+                  const CableMeasurements& measurements, const Selection& selection, const RobotForces& start);
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+  // The cables as of the last evaluation.
+  const std::vector<SaggingCable>& cables() const { return cables_; }
+
+ private:
+  // (H, V, L) of a cable change by by_pose * (translation, rotation vector) + by_density * change.
+  struct Sensitivity {
+    CableLine line;
+    Eigen::Matrix<double, 3, 6> by_pose;
+    Eigen::Vector3d by_density;
+  };
+
+  bool close(std::size_t i, const Pose& pose, double density) const;
+
+  const RobotDescription& robot_;
+  const EstimatorOptions& options_;
+  const CableMeasurements& measurements_;
+  const Selection& selection_;
+  mutable std::vector<SaggingCable> cables_;
+  mutable std::vector<Sensitivity> sensitivities_;
+};
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,154 @@
+#include "cdpr_kinetostatics/estimation/measurement_cost.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kMaxClosureIterations = 30;
+constexpr int kAdaptiveIterations = 10;
+constexpr double kFreezeBelow = 1e-3;
+
+// B below A is taken this share of the length beside it.
+constexpr double kBeside = 1e-9;
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Rotation vector of a small change of the quaternion's coefficients: w = 2 (dq conj(q)).vec.
+Eigen::Matrix<double, 3, 4> rotationByQuaternion(const Eigen::Quaterniond& q) {
+  Eigen::Matrix<double, 3, 4> matrix;
+  matrix << q.w(), -q.z(), q.y(), -q.x(), q.z(), q.w(), -q.x(), -q.y(), -q.y(), q.x(), q.w(), -q.z();
+  return 2.0 * matrix;
+}
+
+}  // namespace
+
+MeasurementCost::MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options,
+                                 const CableMeasurements& measurements, const Selection& selection,
+                                 const RobotForces& start)
+    : robot_(robot),
+      options_(options),
+      measurements_(measurements),
+      selection_(selection),
+      sensitivities_(robot.cables.size()) {
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    cables_.emplace_back(robot.cables[i].properties, options.model, options.tolerance);
+    cables_.back().start(start.lengths[i], start.forces[i]);
+  }
+  AddParameterBlock(3);
+  AddParameterBlock(4);
+  AddParameterBlock(static_cast<int>(robot.cables.size()));
+  const auto count = [](const std::vector<bool>& flags) { return std::count(flags.begin(), flags.end(), true); };
+  SetNumResiduals(static_cast<int>(count(selection.lengths) + count(selection.tensions)) +
+                  (selection.load.any() ? robot.freedoms() : 0));
+}
+
+// Closure at given H: Newton's method for (V, L), with the nodes of a bending cable.
+bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) const {
+  SaggingCable& cable = cables_[i];
+  Sensitivity& s = sensitivities_[i];
+  s.line = cableLine(robot_.cables[i], pose);
+  const double x = std::max(s.line.x, kBeside * cable.length());
+  bool adapt = true;
+  for (int k = 0; k < kMaxClosureIterations; ++k) {
+    if (!cable.linearise(adapt)) return false;
+    const Eigen::Matrix<double, 2, 3>& jacobian = cable.end().jacobian;
+    const Eigen::Matrix2d inverse = jacobian.rightCols<2>().inverse();
+    Eigen::Vector3d change(density * x - cable.horizontalForce(), 0.0, 0.0);
+    const Eigen::Vector2d defect = Eigen::Vector2d(s.line.x, s.line.w) - cable.end().position;
+    change.tail<2>() = inverse * (defect - jacobian.col(0) * change.x());
+    if (!change.allFinite()) return false;
+    const double size = std::max({change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length(),
+                                  cable.angleChange(change)});
+    cable.step(change, std::min(1.0, cable.dampingFor(change)));
+    if (size <= options_.tolerance && !adapt) {
+      Eigen::Matrix<double, 3, 6> motion;  // of B
+      motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
+      Eigen::Matrix<double, 2, 3> in_plane;
+      in_plane << s.line.direction.transpose(), Eigen::RowVector3d::UnitZ();
+      const Eigen::Matrix<double, 2, 6> end_by_pose = in_plane * motion;
+      s.by_pose.row(0) = density * end_by_pose.row(0);
+      s.by_pose.bottomRows<2>() = inverse * (end_by_pose - jacobian.col(0) * s.by_pose.row(0));
+      s.by_density << x, -inverse * jacobian.col(0) * x;
+      return true;
+    }
+    adapt = size > kFreezeBelow && k < kAdaptiveIterations;
+  }
+  return false;
+}
+
+bool MeasurementCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+  const Eigen::Quaterniond orientation(parameters[1]);
+  const Pose pose{Eigen::Vector3d(parameters[0]), orientation};
+  const auto n = static_cast<Eigen::Index>(cables_.size());
+  const std::vector<SaggingCable> before = cables_;
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    if (close(i, pose, parameters[2][i])) continue;
+    cables_ = before;
+    return false;
+  }
+
+  RowMajor by_pose(num_residuals(), 6);
+  RowMajor by_density = RowMajor::Zero(num_residuals(), n);
+  Eigen::Index row = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!selection_.lengths[i]) continue;
+    residuals[row] = (cables_[i].length() - *measurements_.lengths[i]) / options_.length_stddev;
+    by_pose.row(row) = sensitivities_[i].by_pose.row(2) / options_.length_stddev;
+    by_density(row, i) = sensitivities_[i].by_density.z() / options_.length_stddev;
+    ++row;
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!selection_.tensions[i]) continue;
+    const double tension = cables_[i].tensionA();
+    residuals[row] = (tension - *measurements_.tensions[i]) / options_.tension_stddev;
+    const Eigen::RowVector2d by_force =
+        Eigen::RowVector2d(cables_[i].horizontalForce(), cables_[i].verticalForceA()) /
+        (tension * options_.tension_stddev);
+    by_pose.row(row) = by_force * sensitivities_[i].by_pose.topRows<2>();
+    by_density(row, i) = by_force * sensitivities_[i].by_density.head<2>();
+    ++row;
+  }
+  if (selection_.load.any()) {
+    const Eigen::Index rows = robot_.freedoms();
+    const Eigen::Array<double, 6, 1> weight = selection_.load.cast<double>() / options_.load_stddev.array();
+    Wrench total = loadWrench(robot_, pose, Wrench::Zero());
+    Eigen::Matrix<double, 6, 6> total_by_pose = weightStiffness(robot_, pose);
+    Eigen::MatrixXd total_by_density(6, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Sensitivity& s = sensitivities_[i];
+      const double q = robot_.cables[i].properties.weight;
+      const double density = parameters[2][i];
+      const Eigen::Vector3d force = forceOnPlatform(s.line, cables_[i].horizontalForce(),
+                                                    cables_[i].verticalForceA(), q * cables_[i].length());
+      const Eigen::RowVector3d vertical(0.0, 1.0, -q);
+      Eigen::Matrix<double, 3, 6> motion;
+      motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
+      Eigen::Matrix<double, 3, 6> force_by_pose = Eigen::Vector3d(-density, -density, 0.0).asDiagonal() * motion;
+      force_by_pose.row(2) = vertical * s.by_pose;
+      const Eigen::Vector3d force_by_density = -s.line.x * s.line.direction +
+                                               vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
+      total += wrenchAt(s.line.arm, force);
+      total_by_pose.topRows<3>() += force_by_pose;
+      total_by_pose.bottomRows<3>() += cross(s.line.arm) * force_by_pose;
+      total_by_pose.bottomRightCorner<3, 3>() += cross(force) * cross(s.line.arm);
+      total_by_density.col(i) = wrenchAt(s.line.arm, force_by_density);
+    }
+    Eigen::Map<Eigen::ArrayXd>(residuals + row, rows) = (weight * total.array()).head(rows);
+    by_pose.bottomRows(rows) = (weight.matrix().asDiagonal() * total_by_pose).topRows(rows);
+    by_density.bottomRows(rows) = (weight.matrix().asDiagonal() * total_by_density).topRows(rows);
+  }
+  if (jacobians == nullptr) return true;
+  if (jacobians[0] != nullptr) Eigen::Map<RowMajor>(jacobians[0], num_residuals(), 3) = by_pose.leftCols<3>();
+  if (jacobians[1] != nullptr) {
+    Eigen::Map<RowMajor>(jacobians[1], num_residuals(), 4) = by_pose.rightCols<3>() * rotationByQuaternion(orientation);
+  }
+  if (jacobians[2] != nullptr) Eigen::Map<RowMajor>(jacobians[2], num_residuals(), n) = by_density;
+  return true;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 constexpr int kMaxNewtonIterations = 40;
 constexpr int kMaxPathSteps = 400;
 constexpr int kMaxPositionIterations = 60;
+// While problem 1 moves the end point: its longest and shortest move, as shares of the length, and the share of the buckling
+// load from which a compressed cable is taken for a strut rather than for a loop.
+constexpr double kLongestMove = 0.1;
+constexpr double kShortestMove = 1e-9;
+constexpr double kStrutShare = 0.3;
 
 // Node angles move at most this much in one Newton step [rad].
 constexpr double kMaxAngleStep = 0.7;
@@ -115,8 +121,7 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double share) {
 // A problem whose answer is close to its catenary, at the same length and height difference.
 std::optional<PathPoint> safeStart(const CableProperties& cable, double length, double x, double w, ForcesAtA* forces) {
   PathPoint start{cable, x};
-  const double chord = std::hypot(x, w);
-  if (length > 1.001 * chord) start.x = std::max(x, 0.6 * std::sqrt((length - w) * (length + w)));
+  if (length > std::abs(w)) start.x = std::max(x, 0.6 * std::sqrt((length - w) * (length + w)));
   const double light = std::min(cable.bending_stiffness / std::pow(length, 3), 1e-4 * cable.axial_stiffness / length);
   start.cable.weight = std::max(cable.weight, light);
   const std::optional<ForcesAtA> catenary = catenaryForces(start.cable, length, start.x, w);
@@ -182,14 +187,12 @@ bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f)
   return f.horizontal > 0.0 || (f.horizontal == 0.0 && (f.vertical < 0.0 || f.vertical > cable.weight * length));
 }
 
-// Problem 1 through problem 2: moves the end point until the forces are those asked for.
+// Moves the end point from a start until the forces are those asked for.
 BendingOutcome moveEndToForces(const CableProperties& cable, double length, const ForcesAtA& forces,
-                               const BendingOptions& options, MultipleShooting* shooting) {
-  const double balance = cable.weight > 0.0 ? length - 2.0 * forces.vertical / cable.weight : 0.0;
-  Eigen::Vector2d end(0.0, std::clamp(balance, -0.9 * length, 0.9 * length));
-  end.x() = 0.5 * std::sqrt(length * length - end.y() * end.y());
+                               Eigen::Vector2d end, const BendingOptions& options, MultipleShooting* shooting) {
   BendingOutcome outcome = solveBendingForces(cable, length, end.x(), end.y(), options, shooting);
   const double scale = std::max(std::hypot(forces.horizontal, forces.vertical), cable.weight * length);
+  double reach = kLongestMove * length;
   for (int i = 0; i < kMaxPositionIterations && outcome.status.ok(); ++i) {
     const Eigen::Vector2d missing(forces.horizontal - shooting->horizontalForce(),
                                   forces.vertical - shooting->verticalForceA());
@@ -200,16 +203,56 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
       return outcome;
     }
     Eigen::Vector2d step = shooting->end().jacobian.leftCols<2>() * missing;
-    step *= std::min(1.0, 0.1 * length / step.norm());
+    step *= std::min(1.0, reach / step.norm());
     if (end.x() + step.x() < 0.0) step *= 0.5 * end.x() / -step.x();
-    end += step;
-    const BendingOutcome local = followBendingForces(length, end.x(), end.y(), options, shooting);
+    if (step.norm() < kShortestMove * length) break;
+    const MultipleShooting last = *shooting;
+    const BendingOutcome local =
+        followBendingForces(length, end.x() + step.x(), end.y() + step.y(), options, shooting);
     outcome.iterations += local.iterations;
-    outcome.status = local.status;
+    if (local.status.code == Code::kTimedOut) {
+      outcome.status = local.status;
+      return outcome;
+    }
+    const double left = std::hypot(forces.horizontal - shooting->horizontalForce(),
+                                   forces.vertical - shooting->verticalForceA());
+    if (local.status.ok() && left <= 2.0 * missing.norm()) {
+      end += step;
+      reach = std::min(kLongestMove * length, 2.0 * reach);
+    } else {
+      *shooting = last;
+      reach = 0.3 * step.norm();
+    }
   }
   if (outcome.status.ok()) {
     outcome.status = {Code::kNotConverged, "no end point was found at which the cable carries these forces"};
   }
+  return outcome;
+}
+
+// Problem 1 through problem 2, from several end points in turn: a strut, nearly straight, if the cable is
+// pushed hard; loops whose legs share the weight, from wide to narrow.
+BendingOutcome searchEndOfForces(const CableProperties& cable, double length, const ForcesAtA& forces,
+                                 const BendingOptions& options, MultipleShooting* shooting) {
+  std::vector<Eigen::Vector2d> starts;
+  const double buckling = cable.bending_stiffness * std::pow(M_PI / length, 2);
+  const Eigen::Vector2d push(-forces.horizontal, forces.vertical - 0.5 * cable.weight * length);
+  if (forces.horizontal < 0.0 && push.norm() > kStrutShare * buckling) {
+    for (const double share : {0.97, 0.99, 0.999, 0.93, 0.85, 0.7}) starts.emplace_back(share * length * push.normalized());
+  }
+  const double balance = cable.weight > 0.0 ? length - 2.0 * forces.vertical / cable.weight : 0.0;
+  const double height = std::clamp(balance, -0.98 * length, 0.98 * length);
+  for (const double share : {0.5, 0.9, 0.98, 0.2, 0.05, 0.01}) {
+    starts.emplace_back(share * std::sqrt(length * length - height * height), height);
+  }
+  BendingOutcome outcome;
+  int iterations = 0;
+  for (const Eigen::Vector2d& start : starts) {
+    outcome = moveEndToForces(cable, length, forces, start, options, shooting);
+    iterations += outcome.iterations;
+    if (outcome.status.ok() || outcome.status.code == Code::kTimedOut) break;
+  }
+  outcome.iterations = iterations;
   return outcome;
 }
 
@@ -234,7 +277,17 @@ BendingOutcome solveBendingForces(const CableProperties& cable, double length, d
     outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
-  const int direct_iterations = outcome.iterations;
+  int direct_iterations = outcome.iterations;
+  const double compression = std::isfinite(cable.axial_stiffness)
+                                 ? cable.axial_stiffness * (1.0 - std::hypot(x, w) / length)
+                                 : std::numeric_limits<double>::infinity();
+  if (compression >= 0.0 && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
+    shooting->startStraight(cable, length, x, w, options.tolerance);
+    outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
+    direct_iterations += outcome.iterations;
+    outcome.iterations = direct_iterations;
+    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
+  }
   outcome = continueFromCatenary(cable, length, x, w, options, shooting);
   outcome.iterations += direct_iterations;
   return outcome;
@@ -262,7 +315,7 @@ BendingOutcome solveBendingPosition(const CableProperties& cable, double length,
     const BendingOutcome outcome = followBendingPosition(length, forces, options, shooting);
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
-  return moveEndToForces(cable, length, forces, options, shooting);
+  return searchEndOfForces(cable, length, forces, options, shooting);
 }
 
 }  // namespace cdpr_kinetostatics

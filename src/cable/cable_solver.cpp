@@ -16,6 +16,10 @@ namespace {
 // An inextensible cable whose sag is below this share of its chord is a string: its length is the chord.
 constexpr double kStringSag = 1e-12;
 
+// Problem 3 has found its length if the tension there is the one asked for to this relative accuracy, or to the
+// tolerance if that is coarser.
+constexpr double kTensionFound = 1e-6;
+
 CableSolution refusal(Model model, const Status& status) {
   CableSolution solution;
   solution.status = status;
@@ -85,6 +89,9 @@ class ForcesAlongLength {
                                             : 0.0;
     return TensionSample{length, at.tension_a, slope};
   }
+
+  // Under tension all along.
+  bool pulls() const { return !bends(cable_, options_.model) || shooting_.horizontalForce() > 0.0 || x_ == 0.0; }
 
   CableSolution describe(int profile_points) const {
     if (bends(cable_, options_.model)) {
@@ -249,7 +256,7 @@ CableSolution findLength(const CableProperties& properties, double x, double w, 
   const Status check =
       firstRefusal(checkOptions(options), checkCable(properties, options.model), checkEnd(x, w),
                    checkForce("tension_a", tension_a),
-                   length_hint > 0.0 ? checkLength(length_hint) : Status{Code::kConverged, ""});
+                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength(length_hint));
   if (!check.ok()) return refusal(options.model, check);
   const double chord = std::hypot(x, w);
   if (chord == 0.0) {
@@ -279,7 +286,9 @@ CableSolution findLength(const CableProperties& properties, double x, double w, 
   for (int i = 0; i < 20; ++i, more *= 4.0) {
     search.shortest = tautLength(cable, x, w, tension_a * (1.0 + more), options);
     const std::optional<TensionSample> sample = curve(search.shortest);
-    if (!sample || (sample->tension > tension_a && sample->slope < 0.0)) break;
+    if (!sample) break;
+    // In compression the tension falls again beyond the fold: not the taut side.
+    if (sample->tension > tension_a && sample->slope < 0.0 && problem.pulls()) break;
   }
   const LengthFound found = searchLength(curve, search);
   if (std::chrono::steady_clock::now() > options.deadline) {
@@ -292,7 +301,14 @@ CableSolution findLength(const CableProperties& properties, double x, double w, 
   if (!problem.solve(*found.length)) {
     return refusal(options.model, {Code::kNotConverged, "the cable could not be solved at the length found"});
   }
-  return problem.describe(options.profile_points);
+  const CableSolution solution = problem.describe(options.profile_points);
+  // The length's own rounding moves the tension of a stiff cable.
+  const double rounding = std::isfinite(cable.axial_stiffness) ? 1e-14 * cable.axial_stiffness : 0.0;
+  const double accepted = std::max(options.tolerance, kTensionFound) * tension_a;
+  if (std::abs(solution.tension_a - tension_a) > accepted + rounding) {
+    return refusal(options.model, {Code::kNotConverged, "the length found does not give the tension asked for"});
+  }
+  return solution;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -17,6 +17,9 @@ namespace {
 constexpr double kLayersPerSegment = 3.0;
 constexpr double kAnglePerSegment = 1.0;  // [rad]
 
+// More segments than this are refused: they would take a second and 100 MB.
+constexpr int kMaxSegments = 100000;
+
 // Share of the tolerance that one integration step may use up.
 constexpr double kStepShare = 0.1;
 
@@ -28,16 +31,31 @@ Eigen::Vector2d feedback(const ShotState& state) { return {state.alpha, state.mo
 
 }  // namespace
 
-void MultipleShooting::start(const CableProperties& cable, double length, double horizontal_force,
-                             double vertical_force_a, double tolerance) {
+void MultipleShooting::begin(const CableProperties& cable, double length, const Eigen::Vector2d& force,
+                             double tolerance) {
   cable_ = cable;
   tolerance_ = tolerance;
   length_ = length;
   grid_length_ = length;
-  force_ << horizontal_force, vertical_force_a;
+  force_ = force;
   setReference();
   placeSegments();
+}
+
+void MultipleShooting::start(const CableProperties& cable, double length, double horizontal_force,
+                             double vertical_force_a, double tolerance) {
+  begin(cable, length, {horizontal_force, vertical_force_a}, tolerance);
   startNodes();
+}
+
+void MultipleShooting::startStraight(const CableProperties& cable, double length, double x, double w,
+                                     double tolerance) {
+  const double chord = std::hypot(x, w);
+  const double tension = cable.axial_stiffness * (chord / length - 1.0);
+  begin(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * w / chord}, tolerance);
+  for (Segment& segment : segments_) segment.node << std::atan2(w, x), 0.0;
+  last_node_ << std::atan2(w, x), 0.0;
+  shot_tolerance_.alpha = shot_tolerance_.moment = kStepShare * tolerance_;
 }
 
 void MultipleShooting::setReference() {
@@ -71,14 +89,15 @@ void MultipleShooting::placeSegments() {
     share[i] = layers / kLayersPerSegment +
                std::abs(catenaryAngle(cable_, h, force_.y(), i * ds) - angle_a) / kAnglePerSegment;
   }
-  const int count = std::max(1, static_cast<int>(std::ceil(share[kSamples])));
+  const int count = static_cast<int>(std::clamp(std::ceil(share[kSamples]), 1.0, kMaxSegments + 1.0));
   segments_.resize(count);
   int sample = 1;
   double begin = 0.0;
   for (int k = 0; k < count; ++k) {
     const double target = share[kSamples] * (k + 1) / count;
     while (sample < kSamples && share[sample] < target) ++sample;
-    const double inside = (target - share[sample - 1]) / (share[sample] - share[sample - 1]);
+    const double width = share[sample] - share[sample - 1];
+    const double inside = width > 0.0 ? (target - share[sample - 1]) / width : 1.0;
     const double end = k == count - 1 ? 1.0 : (sample - 1 + inside) / kSamples;
     segments_[k].begin = begin;
     segments_[k].end = end;
@@ -127,6 +146,7 @@ void MultipleShooting::changeProperties(const CableProperties& cable) {
 }
 
 bool MultipleShooting::linearise(bool adapt) {
+  if (segments() > kMaxSegments) return false;
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
   const double grid_scale = length_ / grid_length_;
@@ -187,10 +207,14 @@ bool MultipleShooting::eliminate() {
     row = scale * rows.block<1, 2>(2, 2);
     row_right = scale * rows.bottomRightCorner<1, 4>();
 
-    const double before = variation.x();
+    double before = variation.x();
+    for (const Eigen::Vector2d& turning : segment.shot.turning) {
+      const double now = turning.dot(variation);
+      if (before * now < 0.0) ++focal_points_;
+      before = now;
+    }
     variation = segment.shot.sensitivity.topLeftCorner<2, 2>() * variation;
     variation.normalize();
-    if (before * variation.x() < 0.0) ++focal_points_;
   }
   if (variation.x() * variation.y() < 0.0) ++focal_points_;
 

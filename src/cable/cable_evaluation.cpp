@@ -39,8 +39,7 @@ void describeStraight(const CableProperties& cable, double x, double w, int prof
   solution->angle_a = solution->angle_b = angle;
   if (tension > 0.0) {
     solution->strained_length = solution->length * (1.0 + tension / cable.axial_stiffness);
-    const EndPoint end =
-        straightEnd(cable, solution->horizontal_force, solution->vertical_force_a, solution->length);
+    const EndPoint end = straightEnd(cable, solution->horizontal_force, solution->vertical_force_a, solution->length);
     solution->end_jacobian = end.jacobian;
     solution->closure_residual = std::abs(std::hypot(x, w) - solution->strained_length);
     if (std::isfinite(cable.axial_stiffness)) solution->force_jacobian = forceJacobian(end);
@@ -74,8 +73,8 @@ void describeCatenary(const CableProperties& cable, int profile_points, CableSol
   for (int i = 0; i < profile_points; ++i) {
     const double s = length * i / (profile_points - 1);
     const Eigen::Vector2d at = i > 0 ? catenaryEnd(cable, h, v, s).position : Eigen::Vector2d::Zero();
-    solution->profile.push_back({s, at.x(), at.y(), catenaryAngle(cable, h, v, s), 0.0,
-                                 std::hypot(h, v - cable.weight * s), 0.0});
+    solution->profile.push_back(
+        {s, at.x(), at.y(), catenaryAngle(cable, h, v, s), 0.0, std::hypot(h, v - cable.weight * s), 0.0});
   }
 }
 

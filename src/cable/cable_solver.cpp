@@ -83,10 +83,11 @@ class ForcesAlongLength {
   std::optional<TensionSample> sample(double length) {
     if (!solve(length)) return std::nullopt;
     const CableSolution at = describe(0);
-    const double slope = at.tension_a > 0.0 ? (at.horizontal_force * at.force_jacobian(0, 2) +
-                                               at.vertical_force_a * at.force_jacobian(1, 2)) /
-                                                  at.tension_a
-                                            : 0.0;
+    const double slope =
+        at.tension_a > 0.0
+            ? (at.horizontal_force * at.force_jacobian(0, 2) + at.vertical_force_a * at.force_jacobian(1, 2)) /
+                  at.tension_a
+            : 0.0;
     return TensionSample{length, at.tension_a, slope};
   }
 
@@ -100,8 +101,8 @@ class ForcesAlongLength {
       solution.iterations = iterations_;
       return solution;
     }
-    CableSolution solution = describeClosedForm(cable_, options_.model, length_, forces_.horizontal,
-                                                forces_.vertical, x_, w_, profile_points);
+    CableSolution solution = describeClosedForm(cable_, options_.model, length_, forces_.horizontal, forces_.vertical,
+                                                x_, w_, profile_points);
     solution.iterations = iterations_;
     return solution;
   }
@@ -224,8 +225,8 @@ CableSolution findPosition(const CableProperties& properties, double length, dou
 
 CableSolution findForces(const CableProperties& properties, double length, double x, double w,
                          const CableSolverOptions& options) {
-  const Status check = firstRefusal(checkOptions(options), checkCable(properties, options.model), checkLength(length),
-                                    checkEnd(x, w));
+  const Status check =
+      firstRefusal(checkOptions(options), checkCable(properties, options.model), checkLength(length), checkEnd(x, w));
   if (!check.ok()) return refusal(options.model, check);
   const CableProperties cable = asSeenBy(options.model, properties);
   const double chord = std::hypot(x, w);
@@ -253,10 +254,9 @@ CableSolution findForces(const CableProperties& properties, double length, doubl
 
 CableSolution findLength(const CableProperties& properties, double x, double w, double tension_a, double length_hint,
                          const CableSolverOptions& options) {
-  const Status check =
-      firstRefusal(checkOptions(options), checkCable(properties, options.model), checkEnd(x, w),
-                   checkForce("tension_a", tension_a),
-                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength(length_hint));
+  const Status check = firstRefusal(checkOptions(options), checkCable(properties, options.model), checkEnd(x, w),
+                                    checkForce("tension_a", tension_a),
+                                    length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength(length_hint));
   if (!check.ok()) return refusal(options.model, check);
   const double chord = std::hypot(x, w);
   if (chord == 0.0) {

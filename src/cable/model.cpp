@@ -5,9 +5,15 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr std::array<const char*, 9> kNames = {
-    "default",  "auto",          "straight", "straight_elastic", "catenary_inextensible", "catenary",
-    "catenary_corrected", "bending_inextensible", "bending"};
+constexpr std::array<const char*, 9> kNames = {"default",
+                                               "auto",
+                                               "straight",
+                                               "straight_elastic",
+                                               "catenary_inextensible",
+                                               "catenary",
+                                               "catenary_corrected",
+                                               "bending_inextensible",
+                                               "bending"};
 
 }  // namespace
 

@@ -58,6 +58,25 @@ void MultipleShooting::startStraight(const CableProperties& cable, double length
   shot_tolerance_.alpha = shot_tolerance_.moment = kStepShare * tolerance_;
 }
 
+std::optional<double> MultipleShooting::startFromAngle(const CableProperties& cable, double length,
+                                                       double horizontal_force, double vertical_force_a, double angle,
+                                                       double tolerance) {
+  begin(cable, length, {horizontal_force, vertical_force_a}, tolerance);
+  shot_tolerance_.alpha = shot_tolerance_.moment = kStepShare * tolerance_;
+  const double span = length_ / reference_length_;
+  ShotState state{angle, 0.0, 0.0, 0.0};
+  for (Segment& segment : segments_) {
+    segment.node << state.alpha, state.moment;
+    if (!shootAdaptive(parameters(), segment.begin * span, segment.end * span, state, shot_tolerance_, &segment.grid,
+                       &segment.shot)) {
+      return std::nullopt;
+    }
+    state = {segment.shot.end.alpha, segment.shot.end.moment, 0.0, 0.0};
+  }
+  last_node_ << state.alpha, 0.0;
+  return state.moment;
+}
+
 void MultipleShooting::setReference() {
   const double t_a = force_.norm();
   const double t_b = std::hypot(force_.x(), force_.y() - cable_.weight * length_);
@@ -66,9 +85,7 @@ void MultipleShooting::setReference() {
   reference_moment_ = reference_force_ * reference_length_;
 }
 
-double MultipleShooting::bucklingForce() const {
-  return cable_.bending_stiffness * std::pow(M_PI / length_, 2);
-}
+double MultipleShooting::bucklingForce() const { return cable_.bending_stiffness * std::pow(M_PI / length_, 2); }
 
 ShotParameters MultipleShooting::parameters() const {
   return {force_.x() / reference_force_, force_.y() / reference_force_,
@@ -129,7 +146,8 @@ void MultipleShooting::startNodes() {
   last_node_ = node(length_);
   segments_.front().node.y() = 0.0;
   last_node_.y() = 0.0;
-  const double turned = std::abs(catenaryAngle(cable_, h, force_.y(), length_) - catenaryAngle(cable_, h, force_.y(), 0.0));
+  const double turned =
+      std::abs(catenaryAngle(cable_, h, force_.y(), length_) - catenaryAngle(cable_, h, force_.y(), 0.0));
   shot_tolerance_.alpha = kStepShare * tolerance_ * std::clamp(turned, 1e-6, 1.0);
   shot_tolerance_.moment = shot_tolerance_.alpha;
 }
@@ -277,8 +295,9 @@ double MultipleShooting::areaBelowChord() const {
     const Eigen::Vector2d along(segment.shot.end.x, segment.shot.end.w);
     const Eigen::Vector2d to = from + along;
     const double slope = std::atan2(along.y(), along.x());
-    area += 0.5 * (from.x() * to.y() - from.y() * to.x()) +
-            along.squaredNorm() / 12.0 * (std::sin(segment.shot.end.alpha - slope) - std::sin(segment.node.x() - slope));
+    area +=
+        0.5 * (from.x() * to.y() - from.y() * to.x()) +
+        along.squaredNorm() / 12.0 * (std::sin(segment.shot.end.alpha - slope) - std::sin(segment.node.x() - slope));
     from = to;
   }
   return area * reference_length_ * reference_length_;

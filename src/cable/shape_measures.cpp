@@ -78,8 +78,8 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
       shootOnGrid(p, t, state, {recorded}, grid_scale, &shot);
       const Local from(p, t, state, chord_angle);
       const Local to(p, t + dt, shot.end, chord_angle);
-      stretch += 0.5 * dt * (from.tension.value + to.tension.value) +
-                 dt * dt / 12.0 * (from.tension.slope - to.tension.slope);
+      stretch +=
+          0.5 * dt * (from.tension.value + to.tension.value) + dt * dt / 12.0 * (from.tension.slope - to.tension.slope);
       sag = std::max(sag, largestOfCubic(from.offset, to.offset, dt));
       max_moment = std::max(max_moment, largestOfCubic(from.moment, to.moment, dt));
       max_shear = std::max(max_shear, largestOfCubic(from.shear, to.shear, dt));

@@ -23,15 +23,14 @@ using Rows = std::array<double, kRows>;
 
 // Dormand, Prince (1980): coefficients of the pair of orders 5 and 4.
 constexpr double kC[kStages] = {0.0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
-constexpr double kA[kStages][kStages - 1] = {
-    {},
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-constexpr double kError[kStages] = {71.0 / 57600,      0.0,           -71.0 / 16695, 71.0 / 1920,
+constexpr double kA[kStages][kStages - 1] = {{},
+                                             {1.0 / 5},
+                                             {3.0 / 40, 9.0 / 40},
+                                             {44.0 / 45, -56.0 / 15, 32.0 / 9},
+                                             {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+                                             {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+                                             {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
+constexpr double kError[kStages] = {71.0 / 57600,      0.0,          -71.0 / 16695, 71.0 / 1920,
                                     -17253.0 / 339200, 22.0 / 525.0, -1.0 / 40};
 
 void derivative(const ShotParameters& p, double t, const Rows& y, Rows* dy) {
@@ -131,7 +130,8 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
       error_alpha += kError[j] * k[j][kAlpha];
       error_moment += kError[j] * k[j][kMoment];
     }
-    const double error = dt * std::max(std::abs(error_alpha) / tolerance.alpha, std::abs(error_moment) / tolerance.moment);
+    const double error =
+        dt * std::max(std::abs(error_alpha) / tolerance.alpha, std::abs(error_moment) / tolerance.moment);
     if (!std::isfinite(error) || !physical(next)) {
       h = 0.2 * dt;
       if (h < 1e-10) return false;

@@ -62,8 +62,8 @@ bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) con
     const Eigen::Vector2d defect = Eigen::Vector2d(s.line.x, s.line.w) - cable.end().position;
     change.tail<2>() = inverse * (defect - jacobian.col(0) * change.x());
     if (!change.allFinite()) return false;
-    const double size = std::max({change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length(),
-                                  cable.angleChange(change)});
+    const double size = std::max(
+        {change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length(), cable.angleChange(change)});
     cable.step(change, std::min(1.0, cable.dampingFor(change)));
     if (size <= options_.tolerance && !adapt) {
       Eigen::Matrix<double, 3, 6> motion;  // of B
@@ -106,9 +106,8 @@ bool MeasurementCost::Evaluate(double const* const* parameters, double* residual
     if (!selection_.tensions[i]) continue;
     const double tension = cables_[i].tensionA();
     residuals[row] = (tension - *measurements_.tensions[i]) / options_.tension_stddev;
-    const Eigen::RowVector2d by_force =
-        Eigen::RowVector2d(cables_[i].horizontalForce(), cables_[i].verticalForceA()) /
-        (tension * options_.tension_stddev);
+    const Eigen::RowVector2d by_force = Eigen::RowVector2d(cables_[i].horizontalForce(), cables_[i].verticalForceA()) /
+                                        (tension * options_.tension_stddev);
     by_pose.row(row) = by_force * sensitivities_[i].by_pose.topRows<2>();
     by_density(row, i) = by_force * sensitivities_[i].by_density.head<2>();
     ++row;
@@ -123,15 +122,15 @@ bool MeasurementCost::Evaluate(double const* const* parameters, double* residual
       const Sensitivity& s = sensitivities_[i];
       const double q = robot_.cables[i].properties.weight;
       const double density = parameters[2][i];
-      const Eigen::Vector3d force = forceOnPlatform(s.line, cables_[i].horizontalForce(),
-                                                    cables_[i].verticalForceA(), q * cables_[i].length());
+      const Eigen::Vector3d force =
+          forceOnPlatform(s.line, cables_[i].horizontalForce(), cables_[i].verticalForceA(), q * cables_[i].length());
       const Eigen::RowVector3d vertical(0.0, 1.0, -q);
       Eigen::Matrix<double, 3, 6> motion;
       motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
       Eigen::Matrix<double, 3, 6> force_by_pose = Eigen::Vector3d(-density, -density, 0.0).asDiagonal() * motion;
       force_by_pose.row(2) = vertical * s.by_pose;
-      const Eigen::Vector3d force_by_density = -s.line.x * s.line.direction +
-                                               vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
+      const Eigen::Vector3d force_by_density =
+          -s.line.x * s.line.direction + vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
       total += wrenchAt(s.line.arm, force);
       total_by_pose.topRows<3>() += force_by_pose;
       total_by_pose.bottomRows<3>() += cross(s.line.arm) * force_by_pose;

@@ -279,10 +279,10 @@ Estimate PoseEstimator::update(const CableMeasurements& measurements) {
     const RobotForces start = update.coldStart(warm ? last_->pose : seed_, &iterations);
     const Candidate cold = update.snoop(start, update.available());
     iterations += cold.adjusted.iterations;
-    const bool better = !best.adjusted.status.ok() ||
-                        (cold.adjusted.status.ok() &&
-                         (cold.adjusted.redundancy > best.adjusted.redundancy ||
-                          cold.adjusted.weighted_squares < best.adjusted.weighted_squares));
+    const bool better =
+        !best.adjusted.status.ok() ||
+        (cold.adjusted.status.ok() && (cold.adjusted.redundancy > best.adjusted.redundancy ||
+                                       cold.adjusted.weighted_squares < best.adjusted.weighted_squares));
     if (better) {
       best = cold;
       estimate.warm_started = false;

@@ -74,8 +74,8 @@ class DualActiveSet {
 
 }  // namespace
 
-NearestPoint nearestInPolytope(const Eigen::VectorXd& x0, const Eigen::MatrixXd& normals,
-                               const Eigen::VectorXd& bounds, double tolerance) {
+NearestPoint nearestInPolytope(const Eigen::VectorXd& x0, const Eigen::MatrixXd& normals, const Eigen::VectorXd& bounds,
+                               double tolerance) {
   DualActiveSet set(normals, bounds, x0);
   NearestPoint nearest;
   // Every addition raises the distance from x0, so no active set comes twice; the cap is for rounding.

@@ -95,8 +95,7 @@ bool CoupledNewton::linearise(bool adapt) {
     // The plane turns with B: a stiffness H/x across it.
     const double across = h / std::max(e.line.x, 1e-9 * cable.length());
     const Eigen::Vector3d side(-direction.y(), direction.x(), 0.0);
-    const Eigen::Matrix3d point_stiffness =
-        to_world * stiffness * in_plane - across * side * side.transpose();
+    const Eigen::Matrix3d point_stiffness = to_world * stiffness * in_plane - across * side * side.transpose();
     const Eigen::Matrix<double, 3, 6> force_by_pose = point_stiffness * motion;
     unbalanced_ += wrenchAt(e.line.arm, force);
     stiffness_.topRows<3>() += force_by_pose;

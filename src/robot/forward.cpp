@@ -47,11 +47,10 @@ class ForwardSolve {
   RobotSolution run() {
     RobotForces start;
     start.pose = request_.seed.value_or(robot_.home);
-    Status status =
-        roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
+    Status status = roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
-    status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance,
-                                deadline_, &start, &iterations_);
+    status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
+                         &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
     status = refine(start);
     if (status.code == Code::kNotConverged && isBending(options_.model)) {

@@ -28,8 +28,8 @@ constexpr double kAboveFold = 1.001;
 
 // Largest turn of a free attitude in one iteration, and the weight of a turn in the objective, which decides
 // only where equilibrium and tensions leave the attitude free.
-constexpr double kMaxTurn = 0.2;       // [rad]
-constexpr double kTurnWeight = 1e-3;   // [1/rad]
+constexpr double kMaxTurn = 0.2;      // [rad]
+constexpr double kTurnWeight = 1e-3;  // [1/rad]
 
 // Below this size of a step the integration of bending cables keeps its grid.
 constexpr double kFreezeBelow = 1e-3;
@@ -207,9 +207,9 @@ TensionDistribution InverseSolve::distribute() {
     Eigen::Matrix3d force_by_cable;  // by (H, V, L)
     force_by_cable << -c.line.direction, Eigen::Vector3d::UnitZ(), -q * Eigen::Vector3d::UnitZ();
     const double h = c.cable.horizontalForce() + c.start.x();
-    const Eigen::Vector3d force = forceOnPlatform(c.line, c.cable.horizontalForce(), c.cable.verticalForceA(),
-                                                  q * c.cable.length()) +
-                                  force_by_cable * c.start;
+    const Eigen::Vector3d force =
+        forceOnPlatform(c.line, c.cable.horizontalForce(), c.cable.verticalForceA(), q * c.cable.length()) +
+        force_by_cable * c.start;
     matrix.col(i) = wrenchAt(c.line.arm, force_by_cable * c.by_tension);
     total += wrenchAt(c.line.arm, force) - matrix.col(i) * c.cable.tensionA();
     if (free_turn_) {
@@ -243,8 +243,8 @@ bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
     InverseCable& c = cables_[i];
     const double tension = tensions(static_cast<Eigen::Index>(i));
     if (tension >= kNearFold * c.cable.properties().weight * std::hypot(c.line.x, c.line.w)) continue;
-    const CableSolution at = findLength(robot_.cables[i].properties, c.line.x, c.line.w,
-                                        std::max(tension, 1e-12 * c.upper), 0.0, options);
+    const CableSolution at =
+        findLength(robot_.cables[i].properties, c.line.x, c.line.w, std::max(tension, 1e-12 * c.upper), 0.0, options);
     if (at.status.ok() || at.least_tension <= c.lower) continue;
     c.lower = kAboveFold * at.least_tension;
     raised = true;
@@ -272,7 +272,8 @@ Status InverseSolve::iterate(double tolerance) {
     for (Eigen::Index k = 0; k < n; ++k) {
       const InverseCable& c = cables_[k];
       const Eigen::Vector3d change = c.change(tensions(k), turn);
-      if (!change.allFinite()) return {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
+      if (!change.allFinite())
+        return {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
       damping = std::min(damping, c.cable.dampingFor(change));
       size = std::max({size, change.head<2>().norm() / c.cable.tensionA(), std::abs(change.z()) / c.cable.length(),
                        c.cable.angleChange(change)});
@@ -315,8 +316,9 @@ Status InverseSolve::contradiction(const TensionDistribution& distribution) cons
 
 Status InverseSolve::unbalanced(double imbalance) const {
   std::ostringstream text;
-  text << "the " << cables_.size() << " cables cannot balance the load at this pose, whatever their tensions: "
-       << imbalance << " N is left (moments divided by the platform's radius)";
+  text << "the " << cables_.size()
+       << " cables cannot balance the load at this pose, whatever their tensions: " << imbalance
+       << " N is left (moments divided by the platform's radius)";
   if (!free_turn_ && robot_.type == PlatformType::kRigidBody) {
     text << "; with free_orientation the attitude is left to equilibrium";
   }
@@ -344,9 +346,9 @@ Status checkPreferred(const RobotDescription& robot, const std::vector<double>& 
 RobotSolution solveInverse(const RobotDescription& robot, const InverseRequest& request,
                            const RobotSolverOptions& options) {
   const Clock::time_point begin = Clock::now();
-  for (const Status& check : {checkRobotOptions(options), checkPose(request.pose),
-                              checkWrench(robot, request.external_wrench),
-                              checkPreferred(robot, request.preferred_tensions)}) {
+  for (const Status& check :
+       {checkRobotOptions(options), checkPose(request.pose), checkWrench(robot, request.external_wrench),
+        checkPreferred(robot, request.preferred_tensions)}) {
     if (!check.ok()) return refusedRobot(options.model, check);
   }
   const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options.timeout);

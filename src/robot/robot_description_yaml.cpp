@@ -163,9 +163,7 @@ std::string fileStem(const std::string& path) {
 
 }  // namespace
 
-LoadedRobot parseRobot(const YAML::Node& node) {
-  return parse(node, "robot");
-}
+LoadedRobot parseRobot(const YAML::Node& node) { return parse(node, "robot"); }
 
 LoadedRobot loadRobotFile(const std::string& path) {
   try {

@@ -35,8 +35,7 @@ SpringPlatform::Local SpringPlatform::at(const Pose& pose, const std::vector<Spr
   if (external_ != nullptr) {
     local.wrench = loadWrench(robot_, pose, *external_);
     local.stiffness = weightStiffness(robot_, pose);
-    local.energy = robot_.weight() * pose.transform(robot_.com).z() -
-                   external_->head<3>().dot(pose.position);
+    local.energy = robot_.weight() * pose.transform(robot_.com).z() - external_->head<3>().dot(pose.position);
   }
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const CableDescription& cable = robot_.cables[i];
@@ -86,15 +85,14 @@ Status SpringPlatform::newton(const std::vector<Spring>& springs, double toleran
   const double radius = n == 6 ? std::max(robot_.platformRadius(), 1e-6 * robot_.span()) : 1.0;
   Wrench scale;
   scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
-  const Eigen::Vector3d torque =
-      external_ != nullptr ? Eigen::Vector3d(external_->tail<3>()) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d torque = external_ != nullptr ? Eigen::Vector3d(external_->tail<3>()) : Eigen::Vector3d::Zero();
   Local here = at(*pose, springs);
   double damping = 0.0;
   for (int i = 0; i < kMaxIterations; ++i) {
     if (Clock::now() > deadline) return {Code::kTimedOut, "the time allowed ran out while looking for the pose"};
     ++*iterations;
-    const Matrix6 hessian = -0.5 * scale.asDiagonal() * (here.stiffness + here.stiffness.transpose()).eval() *
-                            scale.asDiagonal();
+    const Matrix6 hessian =
+        -0.5 * scale.asDiagonal() * (here.stiffness + here.stiffness.transpose()).eval() * scale.asDiagonal();
     // All springs may be slack: the platform then falls, as far as a step may take it.
     const double size =
         std::max(hessian.topLeftCorner(n, n).diagonal().cwiseAbs().maxCoeff(), robot_.weight() / robot_.span());

@@ -25,8 +25,7 @@ Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& 
                            Clock::time_point deadline, Pose* pose, std::vector<double>* tensions, int* iterations) {
   std::vector<Spring> springs;
   for (const double length : request.lengths) springs.push_back({1.0, length, 0.0, true});
-  const Status status =
-      SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose, iterations);
+  const Status status = SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose, iterations);
   if (!status.ok()) return status;
   const int n = robot.freedoms();
   const double radius = n == 6 ? robot.platformRadius() : 1.0;
@@ -41,8 +40,8 @@ Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& 
     const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
     needed += wrenchAt(arm, half_weight * Eigen::Vector3d::UnitZ());
   }
-  const Eigen::VectorXd solution = nonNegativeTensions((rows.asDiagonal() * structure).topRows(n),
-                                                       (rows.asDiagonal() * needed).head(n));
+  const Eigen::VectorXd solution =
+      nonNegativeTensions((rows.asDiagonal() * structure).topRows(n), (rows.asDiagonal() * needed).head(n));
   tensions->assign(solution.data(), solution.data() + solution.size());
   return status;
 }

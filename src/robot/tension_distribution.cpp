@@ -28,8 +28,7 @@ TensionDistribution distributeTensions(const TensionProblem& problem) {
   const Eigen::VectorXd& values = svd.singularValues();
   const Eigen::Index rank = (values.array() > kRank * values(0)).count();
   const Eigen::VectorXd rotated = svd.matrixU().transpose() * problem.wrench;
-  const Eigen::VectorXd particular =
-      svd.matrixV().leftCols(rank) * rotated.head(rank).cwiseQuotient(values.head(rank));
+  const Eigen::VectorXd particular = svd.matrixV().leftCols(rank) * rotated.head(rank).cwiseQuotient(values.head(rank));
   const Eigen::MatrixXd null = svd.matrixV().rightCols(n - rank);
 
   TensionDistribution distribution;
@@ -50,8 +49,8 @@ TensionDistribution distributeTensions(const TensionProblem& problem) {
   }
   const auto count = static_cast<Eigen::Index>(cable.size());
   const Eigen::VectorXd bounds = Eigen::Map<const Eigen::VectorXd>(bound.data(), count);
-  const NearestPoint nearest = nearestInPolytope(null.transpose() * (preferred - particular),
-                                                 normals.leftCols(count), bounds, kLimitTolerance * scale);
+  const NearestPoint nearest = nearestInPolytope(null.transpose() * (preferred - particular), normals.leftCols(count),
+                                                 bounds, kLimitTolerance * scale);
   distribution.feasible = nearest.feasible;
   distribution.tensions = inverse_weight.cwiseProduct(particular + null * nearest.x);
   for (const int constraint : nearest.active) {
@@ -65,8 +64,7 @@ Eigen::VectorXd nonNegativeTensions(const Eigen::MatrixXd& matrix, const Eigen::
   // min |matrix t - wrench|^2 + regularisation |t|^2, t >= 0, as the nearest point in y = L^T t.
   const Eigen::Index n = matrix.cols();
   const double size = matrix.squaredNorm();
-  const Eigen::MatrixXd hessian =
-      matrix.transpose() * matrix + 1e-12 * size * Eigen::MatrixXd::Identity(n, n);
+  const Eigen::MatrixXd hessian = matrix.transpose() * matrix + 1e-12 * size * Eigen::MatrixXd::Identity(n, n);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(hessian);
   const Eigen::VectorXd x0 = cholesky.matrixL().solve(matrix.transpose() * wrench);
   const Eigen::MatrixXd normals = cholesky.matrixL().solve(Eigen::MatrixXd::Identity(n, n));

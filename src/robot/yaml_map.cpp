@@ -73,9 +73,7 @@ YamlMap::YamlMap(const YAML::Node& node, const std::string& path) : node_(node),
   }
 }
 
-bool YamlMap::has(const std::string& key) {
-  return node(key).IsDefined();
-}
+bool YamlMap::has(const std::string& key) { return node(key).IsDefined(); }
 
 YAML::Node YamlMap::node(const std::string& key) {
   known_.insert(key);
@@ -83,9 +81,7 @@ YAML::Node YamlMap::node(const std::string& key) {
   return constant[key];
 }
 
-std::string YamlMap::pathOf(const std::string& key) const {
-  return path_.empty() ? key : path_ + "." + key;
-}
+std::string YamlMap::pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
 
 double YamlMap::number(const std::string& key, Range range, const std::string& unit) {
   const std::optional<double> value = optionalNumber(key, range, unit);
@@ -125,9 +121,7 @@ std::string YamlMap::textOr(const std::string& key, const std::string& fallback)
   return text.Scalar();
 }
 
-YamlMap YamlMap::map(const std::string& key) {
-  return YamlMap(node(key), pathOf(key));
-}
+YamlMap YamlMap::map(const std::string& key) { return YamlMap(node(key), pathOf(key)); }
 
 std::vector<YamlMap> YamlMap::maps(const std::string& key) {
   const YAML::Node list = node(key);

@@ -26,19 +26,19 @@ struct CableSolution {
   Status status;
   Model model = Model::kDefault;
 
-  double length = 0.0;             // L, unstrained [m]
-  double strained_length = 0.0;    // [m]
-  double x = 0.0;                  // end B [m]
-  double w = 0.0;                  // end B [m]
-  double horizontal_force = 0.0;   // H [N]
-  double vertical_force_a = 0.0;   // V [N]
-  double tension_a = 0.0;          // hypot(H, V) [N]
-  double tension_b = 0.0;          // hypot(H, V - q L) [N]
-  double angle_a = 0.0;            // alpha(0) [rad]
-  double angle_b = 0.0;            // alpha(L) [rad]
-  double sag = 0.0;                // largest distance from the chord, perpendicular to it [m]
-  double max_moment = 0.0;         // largest |M| [N m]
-  double max_shear = 0.0;          // largest |S| [N]
+  double length = 0.0;            // L, unstrained [m]
+  double strained_length = 0.0;   // [m]
+  double x = 0.0;                 // end B [m]
+  double w = 0.0;                 // end B [m]
+  double horizontal_force = 0.0;  // H [N]
+  double vertical_force_a = 0.0;  // V [N]
+  double tension_a = 0.0;         // hypot(H, V) [N]
+  double tension_b = 0.0;         // hypot(H, V - q L) [N]
+  double angle_a = 0.0;           // alpha(0) [rad]
+  double angle_b = 0.0;           // alpha(L) [rad]
+  double sag = 0.0;               // largest distance from the chord, perpendicular to it [m]
+  double max_moment = 0.0;        // largest |M| [N m]
+  double max_shear = 0.0;         // largest |S| [N]
 
   // d(x, w)/d(H, V, L) of the end point, at equilibrium.
   Eigen::Matrix<double, 2, 3> end_jacobian = Eigen::Matrix<double, 2, 3>::Zero();

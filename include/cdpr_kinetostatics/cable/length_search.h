@@ -21,11 +21,11 @@ struct TensionSample {
 using TensionCurve = std::function<std::optional<TensionSample>(double length)>;
 
 struct LengthSearch {
-  double tension = 0.0;    // asked for [N]
-  double chord = 0.0;      // [m]
-  double shortest = 0.0;   // search from here: T_A must be above the tension asked for [m]
-  double longest = 0.0;    // to here [m]
-  double hint = 0.0;       // the root nearest to it is wanted, if positive; else the shortest
+  double tension = 0.0;     // asked for [N]
+  double chord = 0.0;       // [m]
+  double shortest = 0.0;    // search from here: T_A must be above the tension asked for [m]
+  double longest = 0.0;     // to here [m]
+  double hint = 0.0;        // the root nearest to it is wanted, if positive; else the shortest
   double tolerance = 1e-9;  // relative, of the tension
 };
 

@@ -20,15 +20,9 @@ enum class Model : std::uint8_t {
   kBending = 8,
 };
 
-inline bool isStraight(Model model) {
-  return model == Model::kStraight || model == Model::kStraightElastic;
-}
-inline bool isCatenary(Model model) {
-  return model == Model::kCatenaryInextensible || model == Model::kCatenary;
-}
-inline bool isBending(Model model) {
-  return model == Model::kBendingInextensible || model == Model::kBending;
-}
+inline bool isStraight(Model model) { return model == Model::kStraight || model == Model::kStraightElastic; }
+inline bool isCatenary(Model model) { return model == Model::kCatenaryInextensible || model == Model::kCatenary; }
+inline bool isBending(Model model) { return model == Model::kBendingInextensible || model == Model::kBending; }
 inline bool isInextensible(Model model) {
   return model == Model::kStraight || model == Model::kCatenaryInextensible || model == Model::kBendingInextensible;
 }

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_properties.h"
@@ -31,6 +32,11 @@ class MultipleShooting {
   // The same from the straight line to (x, w), under the force that stretches or compresses it to that length.
   // Needs a finite EA.
   void startStraight(const CableProperties& cable, double length, double x, double w, double tolerance);
+
+  // The same by a single shot from A with the angle given there, for cables of a few bending layers. Returns the
+  // moment left at B, in units of the bending layers' own; empty if the shot was rejected.
+  std::optional<double> startFromAngle(const CableProperties& cable, double length, double horizontal_force,
+                                       double vertical_force_a, double angle, double tolerance);
 
   // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept.
   void changeProperties(const CableProperties& cable);

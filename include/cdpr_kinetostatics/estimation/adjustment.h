@@ -16,9 +16,9 @@ namespace cdpr_kinetostatics {
 // A measurement in units of its standard deviation.
 struct Observation {
   enum class Kind { kLength, kTension, kLoad } kind = Kind::kLength;
-  std::size_t index = 0;      // cable, or component of the load
-  double residual = 0.0;      // model minus measured
-  double redundancy = 0.0;    // share of an error that shows in the residual, 0 to 1
+  std::size_t index = 0;    // cable, or component of the load
+  double residual = 0.0;    // model minus measured
+  double redundancy = 0.0;  // share of an error that shows in the residual, 0 to 1
 };
 
 struct Adjusted {

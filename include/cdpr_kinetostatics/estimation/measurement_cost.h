@@ -35,8 +35,8 @@ struct Selection {
 class MeasurementCost : public ceres::DynamicCostFunction {
  public:
   // All arguments must outlive the block; start gives the shapes to begin with.
-  MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options,
-                  const CableMeasurements& measurements, const Selection& selection, const RobotForces& start);
+  MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
+                  const Selection& selection, const RobotForces& start);
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 

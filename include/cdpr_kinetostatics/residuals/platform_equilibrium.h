@@ -27,9 +27,9 @@ class PlatformEquilibrium : public ceres::DynamicCostFunction {
     double weight = 0.0;         // q [N/m]
   };
   struct Platform {
-    bool rigid_body = true;  // false: a point mass, three residuals
-    double weight = 0.0;     // m g [N]
-    Eigen::Vector3d com;     // c [m], platform frame
+    bool rigid_body = true;                       // false: a point mass, three residuals
+    double weight = 0.0;                          // m g [N]
+    Eigen::Vector3d com;                          // c [m], platform frame
     Eigen::Matrix<double, 6, 1> external_wrench;  // force, torque about the origin, world axes
   };
 

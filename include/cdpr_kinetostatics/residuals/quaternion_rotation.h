@@ -11,8 +11,8 @@ inline Eigen::Matrix<double, 3, 4> rotationJacobian(const Eigen::Quaterniond& q,
   Eigen::Matrix3d v_cross;
   v_cross << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
   Eigen::Matrix<double, 3, 4> jacobian;
-  jacobian.leftCols<3>() = 2.0 * (-q.w() * v_cross + u.dot(v) * Eigen::Matrix3d::Identity() + u * v.transpose() -
-                                  2.0 * v * u.transpose());
+  jacobian.leftCols<3>() =
+      2.0 * (-q.w() * v_cross + u.dot(v) * Eigen::Matrix3d::Identity() + u * v.transpose() - 2.0 * v * u.transpose());
   jacobian.col(3) = 2.0 * u.cross(v);
   return jacobian;
 }

@@ -17,7 +17,7 @@ struct NearestPoint {
 };
 
 // normals: one column per constraint; tolerance: accepted violation, in the unit of bounds.
-NearestPoint nearestInPolytope(const Eigen::VectorXd& x0, const Eigen::MatrixXd& normals,
-                               const Eigen::VectorXd& bounds, double tolerance);
+NearestPoint nearestInPolytope(const Eigen::VectorXd& x0, const Eigen::MatrixXd& normals, const Eigen::VectorXd& bounds,
+                               double tolerance);
 
 }  // namespace cdpr_kinetostatics

@@ -27,10 +27,10 @@ struct RobotDescription {
   std::string name;
   double gravity = 9.81;  // [m/s^2]
   PlatformType type = PlatformType::kRigidBody;
-  double mass = 0.0;                                // [kg]
-  Eigen::Vector3d com = Eigen::Vector3d::Zero();    // [m], platform frame
-  Pose home;                                        // seed of the first solve
-  Eigen::Vector3d size = Eigen::Vector3d::Ones();   // [m], drawing only
+  double mass = 0.0;                               // [kg]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();   // [m], platform frame
+  Pose home;                                       // seed of the first solve
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();  // [m], drawing only
   std::vector<CableDescription> cables;
 
   int freedoms() const { return type == PlatformType::kPointMass ? 3 : 6; }

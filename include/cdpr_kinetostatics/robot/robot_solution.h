@@ -25,19 +25,19 @@ struct SolveReport {
   Status status;
   Model model = Model::kDefault;  // finest rung used
   int iterations = 0;
-  double solve_time = 0.0;         // [s]
-  double closure_residual = 0.0;   // largest distance of a cable's end from its attachment [m]
-  double force_residual = 0.0;     // norm of the unbalanced force [N]
-  double moment_residual = 0.0;    // norm of the unbalanced moment about the platform origin [N m]
+  double solve_time = 0.0;        // [s]
+  double closure_residual = 0.0;  // largest distance of a cable's end from its attachment [m]
+  double force_residual = 0.0;    // norm of the unbalanced force [N]
+  double moment_residual = 0.0;   // norm of the unbalanced moment about the platform origin [N m]
 };
 
 struct CableResult {
   std::string name;
   Condition condition = Condition::kTaut;
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();          // e_i, horizontal, from A_i to B_i, world
-  Eigen::Vector3d force_on_platform = Eigen::Vector3d::Zero();   // [N], world
-  CableSolution cable;                                           // in the cable's plane
-  std::vector<Eigen::Vector3d> profile;                          // world [m]; only if asked for
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();         // e_i, horizontal, from A_i to B_i, world
+  Eigen::Vector3d force_on_platform = Eigen::Vector3d::Zero();  // [N], world
+  CableSolution cable;                                          // in the cable's plane
+  std::vector<Eigen::Vector3d> profile;                         // world [m]; only if asked for
 };
 
 struct RobotSolution {

@@ -13,7 +13,6 @@
 namespace cdpr_kinetostatics {
 
 RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardRequest& request,
-                                   const RobotSolverOptions& options,
-                                   std::chrono::steady_clock::time_point deadline);
+                                   const RobotSolverOptions& options, std::chrono::steady_clock::time_point deadline);
 
 }  // namespace cdpr_kinetostatics

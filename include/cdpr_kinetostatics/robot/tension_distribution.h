@@ -9,7 +9,7 @@ namespace cdpr_kinetostatics {
 // min sum (weight_j (t_j - preferred_j))^2 subject to matrix t = wrench and lower <= t <= upper. Bounds may
 // be infinite; weights are positive.
 struct TensionProblem {
-  Eigen::MatrixXd matrix;   // rows scaled to comparable size
+  Eigen::MatrixXd matrix;  // rows scaled to comparable size
   Eigen::VectorXd wrench;
   Eigen::VectorXd preferred;
   Eigen::VectorXd weight;
@@ -19,8 +19,8 @@ struct TensionProblem {
 
 struct TensionDistribution {
   Eigen::VectorXd tensions;
-  double imbalance = 0.0;  // |matrix t - wrench| that no tensions at all can remove
-  bool feasible = false;   // the limits can be met
+  double imbalance = 0.0;               // |matrix t - wrench| that no tensions at all can remove
+  bool feasible = false;                // the limits can be met
   std::vector<int> at_lower, at_upper;  // limits reached; if infeasible, those in contradiction
 };
 

@@ -86,6 +86,10 @@ class ForwardSolve {
                                       "' ended in an equilibrium that is not the sagging one: start from a seed "
                                       "nearer to the platform's pose"};
     }
+    if (!isStable(robot_, outcome_.stiffness)) {
+      return {Code::kWrongBranch,
+              "the platform's pose found is an unstable equilibrium: start from a seed nearer to the expected pose"};
+    }
     return outcome_.status;
   }
 

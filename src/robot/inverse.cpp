@@ -81,6 +81,7 @@ class InverseSolve {
       if (status.ok()) status = bendCables();
     }
     if (status.ok()) status = iterate(options_.tolerance);
+    if (status.ok()) status = checkBranches();
     if (!status.ok()) return refusedRobot(options_.model, status);
     RobotSolution solution;
     solution.pose = pose_;
@@ -104,6 +105,7 @@ class InverseSolve {
   Status startCables();
   Status bendCables();
   Status iterate(double tolerance);
+  Status checkBranches() const;
   bool linearise(bool adapt);
   TensionDistribution distribute();
   bool raiseLimitsToFolds(const Eigen::VectorXd& tensions);
@@ -292,6 +294,22 @@ Status InverseSolve::iterate(double tolerance) {
     last_size = size;
   }
   return {Code::kNotConverged, "the tensions did not settle at this pose"};
+}
+
+// A cable that pushes has no place in a solution with tension limits above zero.
+Status InverseSolve::checkBranches() const {
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    const SaggingCable& cable = cables_[i].cable;
+    if (cable.horizontalForce() < 0.0 && robot_.cables[i].tension_min > 0.0) {
+      return {Code::kInfeasible,
+              "cable '" + robot_.cables[i].name + "' would be in compression, which its tension_min forbids"};
+    }
+    if (!cable.onBranch()) {
+      return {Code::kWrongBranch,
+              "cable '" + robot_.cables[i].name + "' ended in an equilibrium that is not the sagging one"};
+    }
+  }
+  return {Code::kConverged, ""};
 }
 
 Status InverseSolve::contradiction(const TensionDistribution& distribution) const {

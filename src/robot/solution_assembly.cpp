@@ -10,19 +10,20 @@ namespace cdpr_kinetostatics {
 namespace {
 
 constexpr double kSlackExcess = 1.05;
+constexpr double kLimitTolerance = 1e-9;    // a tension this near to its limit has reached it
 constexpr double kLargestCoordinate = 1e6;  // [m]
 constexpr double kLargestLoad = 1e12;       // [N], [N m]
-
-Condition conditionOf(const CableDescription& description, const CableSolution& cable) {
-  if (cable.horizontal_force < 0.0) return Condition::kCompressed;
-  const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.w) ||
-                     cable.tension_a < description.tension_min * (1.0 - 1e-9);
-  return slack ? Condition::kSlack : Condition::kTaut;
-}
 
 Status invalid(const std::string& message) { return {Code::kInvalidInput, message}; }
 
 }  // namespace
+
+Condition conditionOf(const CableSolution& cable, double tension_min) {
+  if (cable.horizontal_force < 0.0) return Condition::kCompressed;
+  const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.w) ||
+                     cable.tension_a < tension_min * (1.0 - kLimitTolerance);
+  return slack ? Condition::kSlack : Condition::kTaut;
+}
 
 RobotSolution refusedRobot(Model model, const Status& status) {
   RobotSolution solution;
@@ -67,7 +68,7 @@ Status checkPose(const Pose& pose) {
 
 void assemble(const RobotDescription& robot, const Wrench& external, const std::vector<CableSolution>& cables,
               RobotSolution* solution) {
-  SolveReport& report = solution->report;
+  RobotReport& report = solution->report;
   Wrench total = loadWrench(robot, solution->pose, external);
   report.closure_residual = 0.0;
   solution->cables.resize(cables.size());
@@ -77,7 +78,7 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
     CableResult& result = solution->cables[i];
     result.cable = cables[i];
     result.name = description.name;
-    result.condition = conditionOf(description, cables[i]);
+    result.condition = conditionOf(cables[i], description.tension_min);
     result.direction = line.direction;
     result.force_on_platform = forceOnPlatform(line, cables[i].horizontal_force, cables[i].vertical_force_a,
                                                description.properties.weight * cables[i].length);

@@ -74,14 +74,6 @@ CableSolution solveProblem(const SolveCable::Request& request, const CableProper
   }
 }
 
-Condition conditionOf(const CableSolution& solution, double tension_min) {
-  constexpr double kSlackExcess = 1.05;
-  if (solution.horizontal_force < 0.0) return Condition::kCompressed;
-  const bool slack = solution.length > kSlackExcess * std::hypot(solution.x, solution.w) ||
-                     solution.tension_a < tension_min * (1.0 - 1e-9);
-  return slack ? Condition::kSlack : Condition::kTaut;
-}
-
 SolveCable::Response solve(const NodeParameters& parameters, const SolveCable::Request& request) {
   const auto start = Clock::now();
   const RobotSolverOptions checked = checkedOptions(request.options, request.profile_points, parameters);

@@ -116,7 +116,7 @@ SolveReport toMsg(const Status& status) {
   return converted;
 }
 
-SolveReport toMsg(const decltype(RobotSolution::report)& report) {
+SolveReport toMsg(const RobotReport& report) {
   SolveReport converted = toMsg(report.status);
   converted.model = static_cast<std::uint8_t>(report.model);
   converted.iterations = report.iterations;

@@ -56,7 +56,7 @@ class MultipleShooting {
   void step(const Eigen::Vector3d& change, double damping);
 
   // True if no small displacement of the cable with both ends held lowers its energy: the second variation
-  // under constant end forces has as many negative directions as the end point's compliance.
+  // under constant end forces has as many negative directions as the end point's compliance (docs/theory.md (22)).
   bool stable() const;
 
   // Signed area between chord and cable [m^2], positive where the cable lies below its chord.

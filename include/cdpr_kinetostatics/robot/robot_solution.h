@@ -13,6 +13,9 @@ namespace cdpr_kinetostatics {
 
 enum class Condition { kTaut = 0, kSlack = 1, kCompressed = 2 };
 
+// COMPRESSED when H < 0; else SLACK when L exceeds the chord by more than 5 % or T_A < tension_min [N].
+Condition conditionOf(const CableSolution& cable, double tension_min);
+
 struct RobotSolverOptions {
   Model model = Model::kBending;  // AUTO and CATENARY_CORRECTED: INVALID_INPUT
   double tolerance = 1e-8;        // relative, as CableSolverOptions::tolerance
@@ -21,7 +24,7 @@ struct RobotSolverOptions {
   bool compute_stiffness = false;  // forward only
 };
 
-struct SolveReport {
+struct RobotReport {
   Status status;
   Model model = Model::kDefault;  // finest rung used
   int iterations = 0;
@@ -41,7 +44,7 @@ struct CableResult {
 };
 
 struct RobotSolution {
-  SolveReport report;
+  RobotReport report;
   Pose pose;
   std::vector<CableResult> cables;
   // d(total wrench about the platform origin)/d(translation, rotation vector), world axes, at fixed

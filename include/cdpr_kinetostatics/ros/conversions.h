@@ -13,7 +13,8 @@
 
 #include "cdpr_kinetostatics/CableState.h"
 #include "cdpr_kinetostatics/SolveReport.h"
-#include "cdpr_kinetostatics/ros/core.h"
+#include "cdpr_kinetostatics/robot/forward.h"
+#include "cdpr_kinetostatics/robot/inverse.h"
 
 namespace XmlRpc {
 class XmlRpcValue;
@@ -33,7 +34,7 @@ geometry_msgs::Pose toMsg(const Pose& pose);
 geometry_msgs::Point toPoint(const Eigen::Vector3d& point);
 geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& vector);
 
-SolveReport toMsg(const decltype(RobotSolution::report)& report);
+SolveReport toMsg(const RobotReport& report);
 SolveReport toMsg(const Status& status);
 
 // A cable of the robot, in the world.

@@ -13,7 +13,8 @@
 
 #include "cdpr_kinetostatics/SolverOptions.h"
 #include "cdpr_kinetostatics/cable/report.h"
-#include "cdpr_kinetostatics/ros/core.h"
+#include "cdpr_kinetostatics/robot/forward.h"
+#include "cdpr_kinetostatics/robot/inverse.h"
 #include "cdpr_kinetostatics/ros/parameters.h"
 
 namespace cdpr_kinetostatics {

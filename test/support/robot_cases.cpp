@@ -104,7 +104,7 @@ bool samePose(const Pose& a, const Pose& b, double tolerance) {
 }
 
 bool isFinite(const RobotSolution& solution) {
-  const SolveReport& r = solution.report;
+  const RobotReport& r = solution.report;
   bool finite = solution.pose.position.allFinite() && solution.pose.orientation.coeffs().allFinite() &&
                 solution.stiffness.allFinite() && std::isfinite(r.solve_time) && std::isfinite(r.closure_residual) &&
                 std::isfinite(r.force_residual) && std::isfinite(r.moment_residual);

@@ -17,6 +17,12 @@ using Clock = std::chrono::steady_clock;
 // An error that shows in its own residual by less than this share cannot be told from others.
 constexpr double kTestable = 0.01;
 
+// So many of the worst measurements are left out in turn to find the faulty one.
+constexpr std::size_t kSuspects = 16;
+
+// A measurement that jumps this many times farther than most others since the last estimate is not trusted at first.
+constexpr double kJump = 10.0;
+
 // Directions with a standard deviation beyond this share of the robot's span are not fixed by the data.
 constexpr double kUnobservable = 1.0;
 
@@ -27,19 +33,16 @@ struct Candidate {
 
 int count(const std::vector<bool>& flags) { return static_cast<int>(std::count(flags.begin(), flags.end(), true)); }
 
-// The observation whose residual is largest in units of its own standard deviation.
-const Observation* mostSuspicious(const std::vector<Observation>& observations, double threshold) {
-  const Observation* worst = nullptr;
-  double largest = threshold;
+// Observations whose residual exceeds the threshold in units of its own standard deviation, worst first.
+std::vector<Observation> suspects(const std::vector<Observation>& observations, double threshold) {
+  const auto statistic = [](const Observation& o) { return std::abs(o.residual) / std::sqrt(o.redundancy); };
+  std::vector<Observation> found;
   for (const Observation& o : observations) {
-    if (o.redundancy < kTestable) continue;
-    const double statistic = std::abs(o.residual) / std::sqrt(o.redundancy);
-    if (statistic > largest) {
-      largest = statistic;
-      worst = &o;
-    }
+    if (o.redundancy >= kTestable && statistic(o) > threshold) found.push_back(o);
   }
-  return worst;
+  std::sort(found.begin(), found.end(),
+            [&](const Observation& l, const Observation& r) { return statistic(l) > statistic(r); });
+  return found;
 }
 
 void leaveOut(const Observation& observation, Selection* selection) {
@@ -114,35 +117,68 @@ class Update {
     return start;
   }
 
-  // Adjusts, and leaves out what is faulty, always from the same start.
-  Candidate snoop(const RobotForces& start, Selection selection) const {
-    Candidate candidate;
-    for (;;) {
-      candidate.adjusted = adjust(robot_, options_, measurements_, selection, start, deadline_);
-      candidate.selection = selection;
-      if (!candidate.adjusted.status.ok() || candidate.adjusted.redundancy <= 0) return candidate;
-      const Observation* worst = mostSuspicious(candidate.adjusted.observations, options_.outlier_threshold);
-      if (worst == nullptr) return candidate;
-      leaveOut(*worst, &selection);
+  // Adjusts, and leaves out what is faulty, always from the same start. A gross error bends the whole estimate and
+  // shows in many residuals: which of the worst ones is at fault, leaving each out in turn tells.
+  Candidate snoop(const RobotForces& start, const Selection& selection) const {
+    Candidate candidate = adjusted(start, selection);
+    while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0) {
+      std::vector<Observation> worst = suspects(candidate.adjusted.observations, options_.outlier_threshold);
+      if (worst.empty()) break;
+      if (worst.size() > kSuspects) worst.erase(worst.begin() + kSuspects, worst.end());
+      std::optional<Candidate> best;
+      for (const Observation& suspect : worst) {
+        Selection without = candidate.selection;
+        leaveOut(suspect, &without);
+        Candidate trial = adjusted(start, without);
+        if (!trial.adjusted.status.ok()) continue;
+        if (!best || trial.adjusted.weighted_squares < best->adjusted.weighted_squares) best = std::move(trial);
+      }
+      if (!best) break;
+      candidate = std::move(*best);
+    }
+    return candidate;
+  }
+
+  // Leaves out what has jumped since the last estimate while most measurements have not: a drum's turn bends the
+  // estimate so far that its residual no longer tells it from others. What agrees in the end is taken back.
+  void leaveOutJumps(const RobotForces& last, Selection* selection) const {
+    std::vector<double> lengths, tensions;
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      const double tension = std::hypot(last.forces[i].horizontal, last.forces[i].vertical);
+      lengths.push_back(available_.lengths[i] ? std::abs(*measurements_.lengths[i] - last.lengths[i]) : 0.0);
+      tensions.push_back(available_.tensions[i] ? std::abs(*measurements_.tensions[i] - tension) : 0.0);
+    }
+    const auto limit = [&](std::vector<double> jumps, double stddev) {
+      std::nth_element(jumps.begin(), jumps.begin() + jumps.size() / 2, jumps.end());
+      return kJump * std::max(jumps[jumps.size() / 2], stddev) + options_.outlier_threshold * stddev;
+    };
+    const double length_limit = limit(lengths, options_.length_stddev);
+    const double tension_limit = limit(tensions, options_.tension_stddev);
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      if (lengths[i] > length_limit) selection->lengths[i] = false;
+      if (tensions[i] > tension_limit) selection->tensions[i] = false;
     }
   }
 
-  // Takes back what was left out before and now agrees with the estimate. True if anything was.
-  bool takeBack(const Candidate& candidate, Selection* selection) const {
-    bool any = false;
-    const RobotForces& at = candidate.adjusted.unknowns;
+  // Takes back, one by one, what was left out on suspicion and does not disturb.
+  void takeBack(const RobotForces& start, Candidate* candidate) const {
+    const double allowed = options_.outlier_threshold * options_.outlier_threshold;
+    const auto attempt = [&](const Selection& with) {
+      Candidate trial = adjusted(start, with);
+      if (trial.adjusted.status.ok() &&
+          trial.adjusted.weighted_squares < candidate->adjusted.weighted_squares + allowed &&
+          suspects(trial.adjusted.observations, options_.outlier_threshold).empty()) {
+        *candidate = std::move(trial);
+      }
+    };
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-      if (available_.lengths[i] && !selection->lengths[i] &&
-          std::abs(at.lengths[i] - *measurements_.lengths[i]) < options_.outlier_threshold * options_.length_stddev) {
-        selection->lengths[i] = any = true;
-      }
-      const double tension = std::hypot(at.forces[i].horizontal, at.forces[i].vertical);
-      if (available_.tensions[i] && !selection->tensions[i] &&
-          std::abs(tension - *measurements_.tensions[i]) < options_.outlier_threshold * options_.tension_stddev) {
-        selection->tensions[i] = any = true;
-      }
+      Selection with = candidate->selection;
+      with.lengths[i] = available_.lengths[i];
+      if (with.lengths[i] != candidate->selection.lengths[i]) attempt(with);
+      with = candidate->selection;
+      with.tensions[i] = available_.tensions[i];
+      if (with.tensions[i] != candidate->selection.tensions[i]) attempt(with);
     }
-    return any;
   }
 
   // An adjustment that explains its measurements within what the threshold lets pass.
@@ -155,6 +191,9 @@ class Update {
   Estimate estimate(const Candidate& candidate) const;
 
  private:
+  Candidate adjusted(const RobotForces& start, const Selection& selection) const {
+    return {adjust(robot_, options_, measurements_, selection, start, deadline_), selection};
+  }
   void fillCables(const Adjusted& adjusted, Estimate* estimate) const;
   void fillCovariance(const Eigen::MatrixXd& information, Estimate* estimate) const;
 
@@ -211,6 +250,12 @@ Estimate Update::estimate(const Candidate& candidate) const {
   }
   estimate.load = -cables - loadWrench(robot_, at.pose, Wrench::Zero());
   if (robot_.type == PlatformType::kPointMass) estimate.load.tail<3>().setZero();
+  estimate.length_redundancy.assign(robot_.cables.size(), 0.0);
+  estimate.tension_redundancy.assign(robot_.cables.size(), 0.0);
+  for (const Observation& o : adjusted.observations) {
+    if (o.kind == Observation::Kind::kLength) estimate.length_redundancy[o.index] = o.redundancy;
+    if (o.kind == Observation::Kind::kTension) estimate.tension_redundancy[o.index] = o.redundancy;
+  }
   estimate.load_outlier = available_.load && !candidate.selection.load;
   estimate.weighted_squares = adjusted.weighted_squares;
   estimate.redundancy = adjusted.redundancy;
@@ -269,9 +314,9 @@ Estimate PoseEstimator::update(const CableMeasurements& measurements) {
       if (last_length_outlier_[i]) selection.lengths[i] = false;
       if (last_tension_outlier_[i]) selection.tensions[i] = false;
     }
+    update.leaveOutJumps(*last_, &selection);
     best = update.snoop(*last_, selection);
-    selection = best.selection;
-    if (best.adjusted.status.ok() && update.takeBack(best, &selection)) best = update.snoop(*last_, selection);
+    if (best.adjusted.status.ok()) update.takeBack(*last_, &best);
   }
   estimate.warm_started = warm;
   int iterations = best.adjusted.iterations;

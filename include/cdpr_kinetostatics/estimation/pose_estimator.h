@@ -62,6 +62,9 @@ struct Estimate {
   std::vector<double> length_residual, tension_residual;
   // Measurements left out as faulty.
   std::vector<bool> length_outlier, tension_outlier;
+  // Share of a measurement's error that shows in its own residual, 0 to 1: how well the others check it. A fault is
+  // found from about outlier_threshold / sqrt(redundancy) standard deviations on.
+  std::vector<double> length_redundancy, tension_redundancy;
   // Components of the known load that the measurements contradict.
   Eigen::Array<bool, 6, 1> load_outlier = Eigen::Array<bool, 6, 1>::Constant(false);
 

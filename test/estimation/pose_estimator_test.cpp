@@ -1,0 +1,203 @@
+#include "cdpr_kinetostatics/estimation/pose_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include "simulated_measurements.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+class EveryRobot : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(EveryRobot, WithoutNoiseFindsThePoseTheForcesAndNoLoad) {
+  for (const Model model : {Model::kCatenary, Model::kBending}) {
+    SimulatedRobot simulated = simulatedRobot(GetParam(), model);
+    PoseEstimator estimator(simulated.robot, simulated.estimator);
+    const Estimate estimate = estimator.update(simulated.measure(simulated.truth, 0.0));
+    ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+    EXPECT_FALSE(estimate.warm_started);
+    EXPECT_LT(poseError(estimate.solution.pose, simulated.truth.pose).norm(), 1e-7);
+    EXPECT_LT(estimate.load.head<3>().norm(), 1e-5 * simulated.robot.weight());
+    EXPECT_EQ(estimate.unobservable_directions, 0);
+    for (std::size_t i = 0; i < simulated.robot.cables.size(); ++i) {
+      EXPECT_NEAR(estimate.solution.cables[i].cable.tension_a, simulated.truth.cables[i].cable.tension_a,
+                  1e-5 * simulated.robot.weight());
+      EXPECT_FALSE(estimate.length_outlier[i] || estimate.tension_outlier[i]);
+    }
+  }
+}
+
+TEST_P(EveryRobot, LengthsAloneGiveForwardKinetostaticsWithACovariance) {
+  SimulatedRobot simulated = simulatedRobot(GetParam());
+  CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+  for (auto& tension : measurements.tensions) tension.reset();
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const Estimate estimate = estimator.update(measurements);
+  ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+  EXPECT_LT(poseError(estimate.solution.pose, simulated.truth.pose).norm(), 1e-6);
+  EXPECT_EQ(estimate.redundancy, 0);
+  EXPECT_EQ(estimate.unobservable_directions, 0);
+  EXPECT_GT(estimate.covariance.diagonal().head<3>().minCoeff(), 0.0);
+  EXPECT_LT(estimate.covariance.diagonal().head<3>().maxCoeff(), std::pow(0.1 * simulated.robot.span(), 2));
+}
+
+TEST_P(EveryRobot, CovariancePredictsTheError) {
+  SimulatedRobot simulated = simulatedRobot(GetParam());
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const int n = simulated.robot.freedoms();
+  constexpr int kSamples = 2000;
+  double nees = 0.0;
+  int outliers = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const RobotSolution truth = simulated.under(simulated.randomLoad());
+    ASSERT_TRUE(truth.report.status.ok()) << truth.report.status.message;
+    const Estimate estimate = estimator.update(simulated.measure(truth, 1.0));
+    ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+    const Wrench error = poseError(estimate.solution.pose, truth.pose);
+    nees += error.head(n).dot(estimate.covariance.topLeftCorner(n, n).ldlt().solve(error.head(n)));
+    for (std::size_t k = 0; k < simulated.robot.cables.size(); ++k) {
+      outliers += static_cast<int>(estimate.length_outlier[k]) + static_cast<int>(estimate.tension_outlier[k]);
+    }
+  }
+  EXPECT_NEAR(nees / kSamples, n, 0.05 * n);
+  EXPECT_EQ(outliers, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, EveryRobot,
+                         ::testing::Values("cogiro", "ipanema3", "caroca", "desktop_music_wire", "scampi",
+                                           "paper_point_mass"));
+
+struct Fault {
+  const char* name;
+  bool length;
+  double value;  // added to the length [m], or factor of the tension
+};
+
+class FaultyCable : public ::testing::TestWithParam<const char*> {};
+
+// A drum turn of 0.3 m, scaled to robots smaller or larger than 10 m; a cell that reads 30 % off, or nothing.
+TEST_P(FaultyCable, IsFlaggedAndTheEstimateStays) {
+  SimulatedRobot simulated = simulatedRobot(GetParam());
+  const double turn = 0.03 * simulated.robot.span();
+  for (const Fault& fault : {Fault{"drum turn", true, turn}, Fault{"drum turn back", true, -turn},
+                             Fault{"biased cell", false, 1.3}, Fault{"dead cell", false, 0.0}}) {
+    for (std::size_t i = 0; i < simulated.robot.cables.size(); ++i) {
+      const CableMeasurements clean = simulated.measure(simulated.truth, 1.0);
+      CableMeasurements faulty = clean;
+      if (fault.length) {
+        *faulty.lengths[i] += fault.value;
+      } else {
+        *faulty.tensions[i] *= fault.value;
+      }
+      const double size =
+          std::abs(fault.length ? fault.value / simulated.estimator.length_stddev
+                                : (fault.value - 1.0) * *clean.tensions[i] / simulated.estimator.tension_stddev);
+      PoseEstimator good(simulated.robot, simulated.estimator);
+      PoseEstimator tested(simulated.robot, simulated.estimator);
+      const Estimate expected = good.update(clean);
+      ASSERT_TRUE(expected.solution.report.status.ok());
+      const double redundancy = fault.length ? expected.length_redundancy[i] : expected.tension_redundancy[i];
+      if (size * std::sqrt(redundancy) < 1.5 * simulated.estimator.outlier_threshold) continue;  // lost in noise
+      ASSERT_TRUE(tested.update(clean).solution.report.status.ok());
+      const Estimate estimate = tested.update(faulty);
+      ASSERT_TRUE(estimate.solution.report.status.ok())
+          << fault.name << " of cable " << i << ": " << estimate.solution.report.status.message;
+      EXPECT_TRUE(fault.length ? estimate.length_outlier[i] : estimate.tension_outlier[i])
+          << fault.name << " of cable " << i;
+      const Wrench shift = poseError(estimate.solution.pose, expected.solution.pose);
+      for (int k = 0; k < simulated.robot.freedoms(); ++k) {
+        EXPECT_LT(std::abs(shift(k)), 3.0 * std::sqrt(expected.covariance(k, k) + estimate.covariance(k, k)))
+            << fault.name << " of cable " << i << ", component " << k;
+      }
+      // And it comes back when the fault is gone.
+      const Estimate after = tested.update(clean);
+      EXPECT_FALSE(after.length_outlier[i] || after.tension_outlier[i]) << fault.name << " of cable " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Redundant, FaultyCable,
+                         ::testing::Values("cogiro", "ipanema3", "caroca", "desktop_music_wire"));
+
+TEST(PoseEstimator, FindsAPayloadThatItWasNotToldOf) {
+  for (const bool known : {true, false}) {
+    SimulatedRobot simulated = simulatedRobot("cogiro");
+    simulated.estimator.known_load = known;
+    Wrench payload = Wrench::Zero();
+    payload(2) = -0.2 * simulated.robot.weight();
+    const RobotSolution truth = simulated.under(payload);
+    ASSERT_TRUE(truth.report.status.ok());
+    PoseEstimator estimator(simulated.robot, simulated.estimator);
+    const Estimate estimate = estimator.update(simulated.measure(truth, 0.0));
+    ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+    EXPECT_NEAR(estimate.load(2), payload(2), 1e-3 * simulated.robot.weight()) << known;
+    EXPECT_EQ(estimate.load_outlier(2), known);
+    EXPECT_LT((estimate.solution.pose.position - truth.pose.position).norm(), 1e-4) << known;
+  }
+}
+
+TEST(PoseEstimator, SaysWhichDirectionsTheDataLeaveOpen) {
+  SimulatedRobot simulated = simulatedRobot("scampi");
+  simulated.estimator.known_load = false;
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const Estimate estimate = estimator.update(simulated.measure(simulated.truth, 0.0));
+  ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+  EXPECT_EQ(estimate.unobservable_directions, 2);
+  EXPECT_NE(estimate.solution.report.status.message.find("2 direction"), std::string::npos);
+  EXPECT_TRUE(estimate.covariance.allFinite());
+}
+
+TEST(PoseEstimator, MissingMeasurementsAreDoneWithout) {
+  SimulatedRobot simulated = simulatedRobot("cogiro");
+  CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+  measurements.tensions[1].reset();
+  measurements.lengths[4].reset();
+  measurements.lengths[6].reset();
+  measurements.tensions[6].reset();
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const Estimate estimate = estimator.update(measurements);
+  ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+  EXPECT_LT(poseError(estimate.solution.pose, simulated.truth.pose).norm(), 1e-6);
+}
+
+TEST(PoseEstimator, SameMeasurementsAfterResetGiveTheSameEstimateBitForBit) {
+  SimulatedRobot simulated = simulatedRobot("cogiro");
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  std::vector<CableMeasurements> stream;
+  for (int i = 0; i < 20; ++i) stream.push_back(simulated.measure(simulated.truth, 1.0));
+  std::vector<Pose> first;
+  for (const CableMeasurements& m : stream) first.push_back(estimator.update(m).solution.pose);
+  estimator.reset();
+  for (std::size_t i = 0; i < stream.size(); ++i) {
+    const Pose again = estimator.update(stream[i]).solution.pose;
+    EXPECT_EQ(again.position, first[i].position);
+    EXPECT_EQ(again.orientation.coeffs(), first[i].orientation.coeffs());
+  }
+}
+
+TEST(PoseEstimator, RefusesImpossibleMeasurementsWithASentence) {
+  SimulatedRobot simulated = simulatedRobot("cogiro");
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+  measurements.lengths[2] = -1.0;
+  const Estimate estimate = estimator.update(measurements);
+  EXPECT_EQ(estimate.solution.report.status.code, Code::kInvalidInput);
+  EXPECT_NE(estimate.solution.report.status.message.find(simulated.robot.cables[2].name), std::string::npos);
+  measurements.lengths.pop_back();
+  EXPECT_EQ(estimator.update(measurements).solution.report.status.code, Code::kInvalidInput);
+}
+
+TEST(PoseEstimator, RecoversFromABadSeed) {
+  SimulatedRobot simulated = simulatedRobot("cogiro");
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  Pose seed = simulated.truth.pose;
+  seed.position += Eigen::Vector3d(1.0, -0.8, 0.5);
+  seed.orientation = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX()) * seed.orientation;
+  estimator.setPose(seed);
+  const Estimate estimate = estimator.update(simulated.measure(simulated.truth, 0.0));
+  ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+  EXPECT_LT(poseError(estimate.solution.pose, simulated.truth.pose).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace cdpr_kinetostatics

@@ -90,7 +90,8 @@ class Update {
       available_.tensions.push_back(measurements.tensions[i].has_value());
     }
     // Lengths alone fix no pose: the load then stands in for the tensions.
-    if (options.known_load || count(available_.tensions) == 0) available_.load.head(robot.freedoms()).setConstant(true);
+    const bool load = options.known_load || count(available_.tensions) == 0;
+    for (int k = 0; k < robot.freedoms(); ++k) available_.load(k) = load;
   }
 
   const Selection& available() const { return available_; }

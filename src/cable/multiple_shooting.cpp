@@ -55,21 +55,30 @@ bool MultipleShooting::integrate(bool adapt) {
     segment.end_derivative = shotDerivative(p, t1, segment.shot.end);
   }
   for (std::size_t k = 0; k < segments_.size(); ++k) {
-    if (segments_[k].quiet) evaluateMiddle(node(k + 1), &segments_[k]);
+    if (segments_[k].quiet) evaluateMiddle(k);
   }
   return true;
 }
 
-void MultipleShooting::evaluateMiddle(const Eigen::Vector2d& end_node, Segment* segment) {
-  const ShotParameters p = parameters();
+void MultipleShooting::evaluateModes(std::size_t k) {
+  Segment& segment = segments_[k];
   const double span = length_ / reference_length_;
-  slow_begin_ = slowState(p, segment->begin * span, slow_order_);
-  slow_end_ = slowState(p, segment->end * span, slow_order_);
-  slow_stretch_ = slowStretch(p, segment->begin * span, segment->end * span, slow_order_);
+  slow_begin_ = slowState(parameters(), segment.begin * span, slow_order_);
+  slow_end_ = slowState(parameters(), segment.end * span, slow_order_);
+  segment.shot.end.alpha = node(k + 1).x();
+  segment.shot.end.moment = node(k + 1).y();
+}
+
+void MultipleShooting::evaluateMiddle(std::size_t k) {
+  evaluateModes(k);
+  Segment& segment = segments_[k];
+  const double span = length_ / reference_length_;
+  slow_stretch_ = slowStretch(parameters(), segment.begin * span, segment.end * span, slow_order_);
   const Eigen::Vector2d along = slow_stretch_.displacement +
-                                slow_begin_.ahead * (segment->node.x() - slow_begin_.alpha) +
-                                slow_end_.behind * (end_node.x() - slow_end_.alpha);
-  segment->shot.end = {end_node.x(), end_node.y(), along.x(), along.y()};
+                                slow_begin_.ahead * (segment.node.x() - slow_begin_.alpha) +
+                                slow_end_.behind * (segment.shot.end.alpha - slow_end_.alpha);
+  segment.shot.end.x = along.x();
+  segment.shot.end.w = along.y();
 }
 
 // d(state at the segment's end)/dl beside that of its node: the segment's ends are fixed shares of the length.
@@ -221,6 +230,10 @@ void MultipleShooting::step(const Eigen::Vector3d& change, double damping) {
   last_node_ += nodeChange(last_change_, change, damping);
   force_ += damping * change.head<2>();
   length_ += damping * change.z();
+  // What is left of the end's modes in the middle is a small difference: both sides of it must have moved.
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    if (segments_[k].quiet) evaluateModes(k);
+  }
 }
 
 bool MultipleShooting::stable() const {

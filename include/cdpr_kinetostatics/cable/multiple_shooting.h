@@ -136,7 +136,8 @@ class MultipleShooting {
   void setReference();
   ShotParameters parameters() const;
   bool integrate(bool adapt);
-  void evaluateMiddle(const Eigen::Vector2d& end_node, Segment* segment);
+  void evaluateMiddle(std::size_t k);
+  void evaluateModes(std::size_t k);
   static Eigen::Vector4d lengthDerivative(const Segment& segment);
   bool eliminate();
   Condition joinShot(const Condition& at_begin, const Eigen::Vector2d& next, Segment* segment);

@@ -155,7 +155,7 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
     return outcome;
   }
   const PathPoint goal{cable, x};
-  shooting->start(start->cable, length, forces.horizontal, forces.vertical, options.tolerance);
+  shooting->start(start->cable, length, forces.horizontal, forces.vertical, options.tolerance, Middle::kShot);
   outcome = newton({Goal::kEndPoint, length, {start->x, w}}, options, kMaxNewtonIterations, shooting);
   if (!outcome.status.ok()) return outcome;
 

@@ -1,31 +1,35 @@
 // What a converged bending cable looks like: its measures and its profile.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "cdpr_kinetostatics/cable/catenary.h"
 #include "cdpr_kinetostatics/cable/multiple_shooting.h"
 
 namespace cdpr_kinetostatics {
 namespace {
+
+// The middle is walked along in pieces in which the force turns by at most this angle [rad], and grows by at most
+// this share.
+constexpr double kRisePerPiece = 0.2;
+constexpr double kFewestPieces = 4.0;
 
 struct Sample {
   double value = 0.0;
   double slope = 0.0;
 };
 
-// Largest magnitude of the cubic that has these values and slopes at the ends of an interval of length h.
-double largestOfCubic(const Sample& a, const Sample& b, double h) {
+// Where the cubic that has these values and slopes at the ends of an interval of length h is extreme, as shares
+// of the interval; outside (0, 1) where it is monotonic.
+std::array<double, 2> extremesOfCubic(const Sample& a, const Sample& b, double h) {
   const double c1 = h * a.slope;
   const double c2 = 3.0 * (b.value - a.value) - h * (2.0 * a.slope + b.slope);
   const double c3 = 2.0 * (a.value - b.value) + h * (a.slope + b.slope);
-  double largest = std::max(std::abs(a.value), std::abs(b.value));
   const double discriminant = c2 * c2 - 3.0 * c1 * c3;
-  if (discriminant < 0.0) return largest;
+  if (discriminant < 0.0) return {-1.0, -1.0};
   // Roots of c1 + 2 c2 u + 3 c3 u^2, without cancellation.
   const double root = -(c2 + std::copysign(std::sqrt(discriminant), c2));
-  for (const double u : {root / (3.0 * c3), c1 / root}) {
-    if (u > 0.0 && u < 1.0) largest = std::max(largest, std::abs(a.value + u * (c1 + u * (c2 + u * c3))));
-  }
-  return largest;
+  return {root / (3.0 * c3), c1 / root};
 }
 
 // The quantities whose extremes are wanted, with their derivatives with respect to t.
@@ -47,6 +51,94 @@ struct Local {
 
 }  // namespace
 
+// The state at t in the middle, with what is left of the modes of its ends; (x, w) counted on from another.
+ShotState MultipleShooting::middleState(const Segment& middle, double t_from, const ShotState& from, double t) const {
+  const ShotParameters p = parameters();
+  const double span = length_ / reference_length_;
+  const SlowState slow = slowState(p, t, slow_order_);
+  const double from_begin = middle.node.x() - slow_begin_.alpha;
+  const double from_end = middle.shot.end.alpha - slow_end_.alpha;
+  const auto ahead = [&](double at) {
+    return from_begin * std::exp(-slow_begin_.decay * (1.0 + p.eps * slow_begin_.tension) * (at - middle.begin * span));
+  };
+  const auto behind = [&](double at) {
+    return from_end * std::exp(-slow_end_.growth * (1.0 + p.eps * slow_end_.tension) * (middle.end * span - at));
+  };
+  const Eigen::Vector2d along = slowStretch(p, t_from, t, slow_order_).displacement +
+                                slow_begin_.ahead * (ahead(t_from) - ahead(t)) +
+                                slow_end_.behind * (behind(t) - behind(t_from));
+  return {slow.alpha + ahead(t) + behind(t), slow.moment - slow.decay * ahead(t) + slow.growth * behind(t),
+          from.x + along.x(), from.w + along.y()};
+}
+
+// The point of the middle with this slope; its beginning if there is none.
+double MultipleShooting::whereSlopeIs(const Segment& middle, double angle) const {
+  const ShotParameters p = parameters();
+  const double span = length_ / reference_length_;
+  double t = (p.v + p.h * std::tan(angle)) / p.q;  // the catenary's
+  for (int i = 0; i < 4; ++i) {
+    if (!(t > middle.begin * span && t < middle.end * span)) return middle.begin * span;
+    const SlowState slow = slowState(p, t, slow_order_);
+    const double step = (slow.alpha - angle) / slow.derivative(0, 2);
+    t -= step;
+    if (std::abs(step) < 1e-9 * span) break;
+  }
+  return std::clamp(t, middle.begin * span, middle.end * span);
+}
+
+// Where the last of a bending layer's moment balances the rise of the middle's: an extreme too slight for the cubics.
+std::array<double, 2> MultipleShooting::whereTailsTurn(const Segment& middle) const {
+  const double span = length_ / reference_length_;
+  const double eps = parameters().eps;
+  const auto distance = [&](const SlowState& slow, double mode, double angle) {
+    const double rate = mode * (1.0 + eps * slow.tension);
+    const double ratio = -mode * angle * rate / slow.derivative(1, 2);
+    return ratio > 1.0 ? std::min(std::log(ratio) / rate, 0.5 * (middle.end - middle.begin) * span) : 0.0;
+  };
+  return {middle.begin * span + distance(slow_begin_, slow_begin_.decay, middle.node.x() - slow_begin_.alpha),
+          middle.end * span - distance(slow_end_, slow_end_.growth, middle.shot.end.alpha - slow_end_.alpha)};
+}
+
+template <typename Visit>
+void MultipleShooting::forEachPiece(const Segment& middle, ShotState from, const Visit& visit) const {
+  const double span = length_ / reference_length_;
+  const double begin = middle.begin * span;
+  const double end = middle.end * span;
+  const double rise = riseOfForce(parameters(), begin, end);
+  const int count = static_cast<int>(std::ceil(std::max(rise / kRisePerPiece, kFewestPieces)));
+  double t = begin;
+  for (int i = 1; i <= count; ++i) {
+    const double next = atShareOfRise(parameters(), begin, end, static_cast<double>(i) / count);
+    const ShotState to = middleState(middle, t, from, next);
+    visit(t, from, next - t, to);
+    t = next;
+    from = to;
+  }
+}
+
+double MultipleShooting::areaBelowChord() const {
+  double area = 0.0;
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  const auto addArc = [&](const Eigen::Vector2d& along, double angle_from, double angle_to) {
+    const Eigen::Vector2d to = from + along;
+    const double slope = std::atan2(along.y(), along.x());
+    area += 0.5 * (from.x() * to.y() - from.y() * to.x()) +
+            along.squaredNorm() / 12.0 * (std::sin(angle_to - slope) - std::sin(angle_from - slope));
+    from = to;
+  };
+  for (const Segment& segment : segments_) {
+    const ShotState begin{segment.node.x(), segment.node.y(), 0.0, 0.0};
+    if (segment.quiet) {
+      forEachPiece(segment, begin, [&](double, const ShotState& a, double, const ShotState& b) {
+        addArc({b.x - a.x, b.w - a.w}, a.alpha, b.alpha);
+      });
+    } else {
+      addArc({segment.shot.end.x, segment.shot.end.w}, begin.alpha, segment.shot.end.alpha);
+    }
+  }
+  return area * reference_length_ * reference_length_;
+}
+
 void MultipleShooting::measure(int profile_points, CableSolution* solution) const {
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
@@ -66,6 +158,25 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
                                  y.moment * reference_moment_, local.tension.value * reference_force_,
                                  -local.shear.value * reference_force_});
   };
+  // An interval at whose ends the state is known; inside(t) is the state between.
+  const auto addInterval = [&](double t, const Local& from, double dt, const Local& to, const auto& inside) {
+    const auto raise = [&](Sample Local::*quantity, double* largest) {
+      *largest = std::max({*largest, std::abs((from.*quantity).value), std::abs((to.*quantity).value)});
+      for (const double share : extremesOfCubic(from.*quantity, to.*quantity, dt)) {
+        if (!(share > 0.0 && share < 1.0)) continue;
+        const double at = t + share * dt;
+        *largest = std::max(*largest, std::abs((Local(p, at, inside(at), chord_angle).*quantity).value));
+      }
+    };
+    raise(&Local::offset, &sag);
+    raise(&Local::moment, &max_moment);
+    raise(&Local::shear, &max_shear);
+    while (static_cast<int>(solution->profile.size()) < profile_points - 1) {
+      const double sample = span * static_cast<double>(solution->profile.size()) / (profile_points - 1);
+      if (sample > t + dt) break;
+      addPoint(sample, inside(sample));
+    }
+  };
 
   Shot shot;
   ShotState state{segments_.front().node.x(), segments_.front().node.y(), 0.0, 0.0};
@@ -73,6 +184,23 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
     double t = segment.begin * span;
     state.alpha = segment.node.x();
     state.moment = segment.node.y();
+    if (segment.quiet) {
+      const double length = (segment.end - segment.begin) * span;
+      stretch += catenaryStrainedLength({1.0, 0.0, p.q}, p.h, p.v - p.q * t, length) - length;
+      const ShotState begin = state;
+      const std::array<double, 2> tails = whereTailsTurn(segment);
+      for (const double at : {whereSlopeIs(segment, chord_angle), whereSlopeIs(segment, 0.0), tails[0], tails[1]}) {
+        const Local extreme(p, at, middleState(segment, t, begin, at), chord_angle);
+        sag = std::max(sag, std::abs(extreme.offset.value));
+        max_moment = std::max(max_moment, std::abs(extreme.moment.value));
+      }
+      forEachPiece(segment, state, [&](double from_t, const ShotState& from, double dt, const ShotState& to) {
+        addInterval(from_t, Local(p, from_t, from, chord_angle), dt, Local(p, from_t + dt, to, chord_angle),
+                    [&](double sample) { return middleState(segment, from_t, from, sample); });
+        state = to;
+      });
+      continue;
+    }
     for (const double recorded : segment.grid) {
       const double dt = grid_scale * recorded;
       shootOnGrid(p, t, state, {recorded}, grid_scale, &shot);
@@ -80,16 +208,11 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
       const Local to(p, t + dt, shot.end, chord_angle);
       stretch +=
           0.5 * dt * (from.tension.value + to.tension.value) + dt * dt / 12.0 * (from.tension.slope - to.tension.slope);
-      sag = std::max(sag, largestOfCubic(from.offset, to.offset, dt));
-      max_moment = std::max(max_moment, largestOfCubic(from.moment, to.moment, dt));
-      max_shear = std::max(max_shear, largestOfCubic(from.shear, to.shear, dt));
-      while (static_cast<int>(solution->profile.size()) < profile_points - 1) {
-        const double sample = span * static_cast<double>(solution->profile.size()) / (profile_points - 1);
-        if (sample > t + dt) break;
+      addInterval(t, from, dt, to, [&](double sample) {
         Shot inside;
         shootOnGrid(p, t, state, {sample - t}, 1.0, &inside);
-        addPoint(sample, inside.end);
-      }
+        return inside.end;
+      });
       t += dt;
       state = shot.end;
     }

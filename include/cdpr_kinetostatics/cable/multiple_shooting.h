@@ -1,16 +1,19 @@
 // The bending cable as a chain of shots, with its node states eliminated (docs/theory.md section 3).
 //
 // A single shot over the whole cable amplifies errors by exp(kappa L). Here the cable is cut into segments
-// a few bending layers long; Newton's method joins them. Each pass integrates every segment once and
-// eliminates the nodes by orthogonal transformations, which leaves, for the outer problem, the end point as
-// an affine function of the changes of (H, V, L). Whoever chooses those changes (one cable, a robot, an
-// estimator) calls step() with them, and the nodes follow: nodes, forces and pose converge together.
+// a few bending layers long; Newton's method joins them. Where the cable is many layers long only its ends are
+// shot: the quiet middle between them is one segment, in closed form (slow_manifold.h), so that the cost does
+// not grow with kappa L. Each pass integrates every segment once and eliminates the nodes by orthogonal
+// transformations, which leaves, for the outer problem, the end point as an affine function of the changes of
+// (H, V, L). Whoever chooses those changes (one cable, a robot, an estimator) calls step() with them, and the
+// nodes follow: nodes, forces and pose converge together.
 //
 // A workspace: keep one per cable and thread; after its first use it does not allocate for cables of the
 // same size.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,8 +21,15 @@
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
 #include "cdpr_kinetostatics/cable/shot.h"
+#include "cdpr_kinetostatics/cable/slow_manifold.h"
 
 namespace cdpr_kinetostatics {
+
+// How the cable between its two ends' bending layers is evaluated.
+enum class Middle {
+  kQuiet,  // in closed form, where the tolerance allows
+  kShot,   // by shots
+};
 
 class MultipleShooting {
  public:
@@ -27,10 +37,10 @@ class MultipleShooting {
   // bending layers at both ends. Needs EI > 0, T > 0 along the cable; an infinite EA is the inextensible
   // cable. tolerance is relative, of the integration.
   void start(const CableProperties& cable, double length, double horizontal_force, double vertical_force_a,
-             double tolerance);
+             double tolerance, Middle middle = Middle::kQuiet);
 
-  // The same from the straight line to (x, w), under the force that stretches or compresses it to that length.
-  // Needs a finite EA.
+  // The same from the straight line to (x, w), under the force that stretches or compresses it to that length; the
+  // whole cable is shot. Needs a finite EA.
   void startStraight(const CableProperties& cable, double length, double x, double w, double tolerance);
 
   // The same by a single shot from A with the angle given there, for cables of a few bending layers. Returns the
@@ -38,12 +48,13 @@ class MultipleShooting {
   std::optional<double> startFromAngle(const CableProperties& cable, double length, double horizontal_force,
                                        double vertical_force_a, double angle, double tolerance);
 
-  // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept.
+  // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept. The whole
+  // cable is shot from now on, from the catenary if it was not before.
   void changeProperties(const CableProperties& cable);
 
-  // Integrates all segments and eliminates the nodes. With adapt, step sizes are chosen anew; without,
-  // those of the last adaptive pass are taken. False: a shot was rejected, or the cable has more bending
-  // layers than segments can be afforded.
+  // Integrates all segments and eliminates the nodes. With adapt, step sizes are chosen anew, and segments too
+  // where they no longer fit the forces; without, those of the last adaptive pass are taken. False: a shot was
+  // rejected, or the cable has more bending layers than segments can be afforded.
   bool linearise(bool adapt);
 
   // The end point after the nodes' own Newton step, and its derivative, to first order.
@@ -80,12 +91,16 @@ class MultipleShooting {
   // pi^2 EI/L^2 [N].
   double bucklingForce() const;
   int segments() const { return static_cast<int>(segments_.size()); }
+  bool hasQuietMiddle() const { return slow_order_ > 0; }
+  // Integration steps of one pass.
+  int steps() const;
 
  private:
   // Affine in (1, dh, dv, dl), dimensionless.
   using Affine = Eigen::Matrix<double, 2, 4>;
 
   struct Segment {
+    bool quiet = false;  // the middle: no shot, and its own end's node is apart from its beginning's
     double begin = 0.0;  // fractions of the length
     double end = 0.0;
     Eigen::Vector2d node = Eigen::Vector2d::Zero();  // (alpha, moment) where the segment begins
@@ -98,12 +113,43 @@ class MultipleShooting {
     Affine change;  // dz_k, after back substitution
   };
 
-  void begin(const CableProperties& cable, double length, const Eigen::Vector2d& force, double tolerance);
-  void placeSegments();
+  // One linear condition on the change of a node: row * dz = right.
+  struct Condition {
+    Eigen::RowVector2d row;
+    Eigen::RowVector4d right;
+  };
+
+  // More segments than this are refused: they would take a second and 100 MB.
+  static constexpr int kMaxSegments = 100000;
+
+  void begin(const CableProperties& cable, double length, const Eigen::Vector2d& force, double tolerance,
+             double angle_scale, Middle middle);
+
+  // Segments and their first nodes (shooting_mesh.cpp).
+  void placeSegments(Middle middle);
+  bool placeAroundMiddle();
+  void placeEverywhere();
   void startNodes();
+  bool meshFits();
+  void replaceMesh(Middle middle);
+
   void setReference();
   ShotParameters parameters() const;
+  bool integrate(bool adapt);
+  void evaluateMiddle(std::size_t k);
+  void evaluateModes(std::size_t k);
+  static Eigen::Vector4d lengthDerivative(const Segment& segment);
   bool eliminate();
+  Condition joinShot(const Condition& at_begin, const Eigen::Vector2d& next, Segment* segment);
+  Condition joinMiddle(const Condition& at_begin, const Eigen::Vector2d& next, Segment* segment);
+  // Walks along the middle in pieces small enough for cubic interpolation: visit(t, state, dt, next state).
+  template <typename Visit>
+  void forEachPiece(const Segment& middle, ShotState from, const Visit& visit) const;
+  double whereSlopeIs(const Segment& middle, double angle) const;
+  std::array<double, 2> whereTailsTurn(const Segment& middle) const;
+  ShotState middleState(const Segment& middle, double t_from, const ShotState& from, double t) const;
+  Affine displacement(const Segment& segment, const Affine& next_change) const;
+  Eigen::Vector2d node(std::size_t k) const { return k < segments_.size() ? segments_[k].node : last_node_; }
   Eigen::Vector2d nodeChange(const Affine& change, const Eigen::Vector3d& outer, double damping) const;
 
   CableProperties cable_;
@@ -116,11 +162,15 @@ class MultipleShooting {
   double reference_moment_ = 1.0;                    // F0 l0 [N m]
   ShotTolerance shot_tolerance_;
   std::vector<Segment> segments_;
+  int slow_order_ = 0;               // of the middle; 0: none
+  SlowState slow_begin_, slow_end_;  // of the middle
+  SlowStretch slow_stretch_;
   Eigen::Vector2d last_node_ = Eigen::Vector2d::Zero();  // (alpha, moment) at B
   Affine last_change_ = Affine::Zero();
   EndPoint end_;
   double angle_defect_ = 0.0;
   double moment_defect_ = 0.0;
+  Eigen::Vector2d variation_ = Eigen::Vector2d::Zero();  // of (alpha, moment), from a turn of the end A
   int focal_points_ = 0;
 };
 

@@ -1,0 +1,321 @@
+// The quiet middle in closed form against shooting the whole cable, against its own equations, and its cost.
+#include "cdpr_kinetostatics/cable/slow_manifold.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cdpr_kinetostatics/cable/multiple_shooting.h"
+#include "finite_solution.h"
+#include "known_cables.h"
+#include "random_cables.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr double kInextensible = std::numeric_limits<double>::infinity();
+
+// Problem 1 by Newton's method on the nodes alone.
+bool relax(MultipleShooting* shooting) {
+  for (int i = 0; i < 12; ++i) {
+    if (!shooting->linearise(i < 4)) return false;
+    const double size = shooting->angleChange(Eigen::Vector3d::Zero());
+    shooting->step(Eigen::Vector3d::Zero(), 1.0);
+    if (i > 4 && size < 1e-14) break;
+  }
+  return shooting->linearise(false);
+}
+
+MultipleShooting relaxed(const CableProperties& cable, double length, const ForcesAtA& forces, double tolerance,
+                         Middle middle) {
+  MultipleShooting shooting;
+  shooting.start(cable, length, forces.horizontal, forces.vertical, tolerance, middle);
+  EXPECT_TRUE(relax(&shooting));
+  return shooting;
+}
+
+// A steel rope with this many layers, taut (1 kN) or hanging in a bow.
+CableProperties ropeWithLayers(double layers, double length, double tension) {
+  CableProperties rope = steelRope();
+  rope.bending_stiffness = tension * std::pow(length / layers, 2);
+  return rope;
+}
+
+const ForcesAtA kTaut{800.0, 600.0};
+const ForcesAtA kHanging{3.0, 4.0};
+
+void expectSameShape(const CableSolution& a, const CableSolution& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance * a.length);
+  EXPECT_NEAR(a.w, b.w, tolerance * a.length);
+  EXPECT_NEAR(a.angle_a, b.angle_a, 10.0 * tolerance);
+  EXPECT_NEAR(a.angle_b, b.angle_b, 10.0 * tolerance);
+  EXPECT_NEAR(a.sag, b.sag, tolerance * a.length);
+  EXPECT_NEAR(a.strained_length, b.strained_length, tolerance * a.length);
+  const double thickness = a.length / 40.0;
+  const double force = std::max(a.tension_a, a.tension_b);
+  EXPECT_NEAR(a.max_moment, b.max_moment, 10.0 * tolerance * force * thickness);
+  EXPECT_NEAR(a.max_shear, b.max_shear, 10.0 * tolerance * force);
+  ASSERT_EQ(a.profile.size(), b.profile.size());
+  for (std::size_t i = 0; i < a.profile.size(); ++i) {
+    EXPECT_NEAR(a.profile[i].x, b.profile[i].x, tolerance * a.length);
+    EXPECT_NEAR(a.profile[i].w, b.profile[i].w, tolerance * a.length);
+    EXPECT_NEAR(a.profile[i].alpha, b.profile[i].alpha, 10.0 * tolerance);
+    EXPECT_NEAR(a.profile[i].moment, b.profile[i].moment, 10.0 * tolerance * force * thickness);
+    EXPECT_NEAR(a.profile[i].tension, b.profile[i].tension, 10.0 * tolerance * force);
+    EXPECT_NEAR(a.profile[i].shear, b.profile[i].shear, 10.0 * tolerance * force);
+  }
+}
+
+CableSolution measured(const MultipleShooting& shooting, int profile_points) {
+  CableSolution solution;
+  solution.length = shooting.length();
+  solution.tension_a = std::hypot(shooting.horizontalForce(), shooting.verticalForceA());
+  shooting.measure(profile_points, &solution);
+  return solution;
+}
+
+TEST(QuietMiddle, AgreesWithShootingTheWholeCable) {
+  constexpr double kTolerance = 1e-10;
+  RandomCables random;
+  random.fewest_layers = 40.0;
+  random.most_layers = 1000.0;
+  random.largest_strain = 1e-3;
+  int quiet = 0;
+  for (int i = 0; i < 300; ++i) {
+    CableCase c = random.next();
+    if (i % 3 == 0) c.cable.axial_stiffness = kInextensible;
+    const std::optional<ForcesAtA> forces = catenaryForces(c.cable, c.length, c.x, c.w);
+    if (!forces) continue;
+    MultipleShooting closed_form;
+    closed_form.start(c.cable, c.length, forces->horizontal, forces->vertical, kTolerance);
+    if (!closed_form.hasQuietMiddle()) continue;
+    SCOPED_TRACE(::testing::Message() << c);
+    ++quiet;
+    ASSERT_TRUE(relax(&closed_form));
+    ASSERT_TRUE(closed_form.hasQuietMiddle());
+    const MultipleShooting whole = relaxed(c.cable, c.length, *forces, kTolerance, Middle::kShot);
+    ASSERT_FALSE(whole.hasQuietMiddle());
+    expectSameShape(measured(closed_form, 23), measured(whole, 23), kTolerance);
+    const Eigen::Matrix<double, 2, 3> difference = closed_form.end().jacobian - whole.end().jacobian;
+    EXPECT_LT(difference.leftCols<2>().norm(), 1e-8 * whole.end().jacobian.leftCols<2>().norm());
+    EXPECT_LT(difference.col(2).norm(), 1e-8);
+    EXPECT_EQ(closed_form.stable(), whole.stable());
+    // Its sign decides, its value is summed over arcs of different number.
+    EXPECT_NEAR(closed_form.areaBelowChord(), whole.areaBelowChord(), 1e-5 * c.length * c.length);
+  }
+  EXPECT_GT(quiet, 150);
+}
+
+// Forces between fixed ends magnify errors of the end point, most where the cable hardly stretches.
+TEST(QuietMiddle, ForcesOfCablesThatHardlyStretchAgree) {
+  constexpr double kTolerance = 1e-10;
+  for (const double stretch : {1e-3, 1e-6, 0.0}) {
+    for (const double layers : {50.0, 200.0, 1000.0}) {
+      CableProperties cable = ropeWithLayers(layers, 10.0, 1000.0);
+      cable.axial_stiffness = stretch > 0.0 ? 1000.0 / stretch : kInextensible;
+      const MultipleShooting whole = relaxed(cable, 10.0, kTaut, kTolerance, Middle::kShot);
+      const Eigen::Vector2d end = whole.end().position;
+      CableSolverOptions options;
+      options.tolerance = kTolerance;
+      const CableSolution s = findForces(cable, 10.0, end.x(), end.y(), options);
+      ASSERT_TRUE(s.status.ok()) << s.status.message;
+      const double stiffness = whole.end().jacobian.leftCols<2>().inverse().norm();
+      EXPECT_NEAR(s.horizontal_force, kTaut.horizontal, 1e-11 * 10.0 * stiffness + 1e-10 * 1000.0)
+          << stretch << ", " << layers;
+      EXPECT_NEAR(s.vertical_force_a, kTaut.vertical, 1e-11 * 10.0 * stiffness + 1e-10 * 1000.0)
+          << stretch << ", " << layers;
+    }
+  }
+}
+
+TEST(QuietMiddle, JacobianIsThatOfDifferences) {
+  for (const ForcesAtA& forces : {kTaut, kHanging}) {
+    for (const double layers : {300.0, 3000.0}) {
+      const double tension = std::hypot(forces.horizontal, forces.vertical);
+      const CableProperties cable = ropeWithLayers(layers, 10.0, tension);
+      const auto end = [&](const Eigen::Vector3d& change) {
+        const MultipleShooting at =
+            relaxed(cable, 10.0 + change.z(), {forces.horizontal + change.x(), forces.vertical + change.y()}, 1e-12,
+                    Middle::kQuiet);
+        EXPECT_TRUE(at.hasQuietMiddle());
+        return at.end();
+      };
+      const EndPoint at = end(Eigen::Vector3d::Zero());
+      for (int j = 0; j < 3; ++j) {
+        const double d = 1e-3 * (j < 2 ? tension : 10.0);
+        const Eigen::Vector3d step = d * Eigen::Vector3d::Unit(j);
+        const auto central = [&](double k) {
+          return Eigen::Vector2d(end(k * step).position - end(-k * step).position);
+        };
+        const Eigen::Vector2d quotient = (45.0 * central(1.0) - 9.0 * central(2.0) + central(3.0)) / (60.0 * d);
+        EXPECT_LT((quotient - at.jacobian.col(j)).norm(), 3e-8 * quotient.norm()) << layers << ", column " << j;
+      }
+    }
+  }
+}
+
+TEST(QuietMiddle, CostDoesNotGrowWithTheLayers) {
+  for (const ForcesAtA& forces : {kTaut, kHanging}) {
+    const double tension = std::hypot(forces.horizontal, forces.vertical);
+    MultipleShooting first = relaxed(ropeWithLayers(200.0, 10.0, tension), 10.0, forces, 1e-8, Middle::kQuiet);
+    ASSERT_TRUE(first.hasQuietMiddle());
+    for (const double layers : {1e3, 1e4, 1e5, 1e6}) {
+      MultipleShooting shooting = relaxed(ropeWithLayers(layers, 10.0, tension), 10.0, forces, 1e-8, Middle::kQuiet);
+      EXPECT_LE(shooting.segments(), first.segments());
+      EXPECT_LE(shooting.steps(), first.steps());
+    }
+  }
+}
+
+TEST(QuietMiddle, AMillionLayersAreACatenary) {
+  for (const double length : {9.99, 10.01, 12.0}) {
+    for (const double w : {-6.0, 0.0, 6.0}) {
+      CableProperties cable = steelRope();
+      const double x = std::sqrt(100.0 - w * w);
+      const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, w);
+      ASSERT_TRUE(catenary);
+      const double tension = std::hypot(catenary->horizontal, catenary->vertical);
+      cable.bending_stiffness = tension * std::pow(length / 1e6, 2);
+      CableSolverOptions options;
+      options.profile_points = 50;
+      const CableSolution s = findForces(cable, length, x, w, options);
+      ASSERT_TRUE(s.status.ok()) << s.status.message;
+      EXPECT_TRUE(isFinite(s));
+      EXPECT_NEAR(s.horizontal_force, catenary->horizontal, 1e-7 * tension);
+      EXPECT_NEAR(s.vertical_force_a, catenary->vertical, 1e-7 * tension);
+      EXPECT_LE(s.iterations, 4);
+    }
+  }
+}
+
+TEST(QuietMiddle, IsLeftWhereItIsNotQuiet) {
+  const CableProperties rope = steelRope();
+  MultipleShooting shooting;
+  shooting.start(ropeWithLayers(15.0, 10.0, 1000.0), 10.0, 800.0, 600.0, 1e-8);  // layers fill the cable
+  EXPECT_FALSE(shooting.hasQuietMiddle());
+  shooting.start(rope, 20.0, 0.05, 6.0, 1e-8);  // a narrow loop
+  EXPECT_FALSE(shooting.hasQuietMiddle());
+  shooting.start(rope, 20.0, -1.0, 6.0, 1e-8);  // compressed at its lowest point
+  EXPECT_FALSE(shooting.hasQuietMiddle());
+  shooting.start(rope, 10.0, 0.0, -500.0, 1e-8);  // vertical and taut: nothing is wrong with that
+  EXPECT_TRUE(shooting.hasQuietMiddle());
+  ASSERT_TRUE(relax(&shooting));
+  EXPECT_NEAR(shooting.end().position.x(), 0.0, 1e-14);
+  EXPECT_NEAR(shooting.end().jacobian(0, 0), catenaryHorizontalCompliance(rope, 0.0, -500.0, 10.0), 1e-2);
+}
+
+TEST(QuietMiddle, MeshFollowsTheForces) {
+  const CableProperties rope = steelRope();
+  for (const ForcesAtA& to : {ForcesAtA{20.0, 15.0}, ForcesAtA{20000.0, 9000.0}, ForcesAtA{2.0, 3.0}}) {
+    MultipleShooting shooting = relaxed(rope, 10.0, kTaut, 1e-9, Middle::kQuiet);
+    ASSERT_TRUE(shooting.hasQuietMiddle());
+    constexpr int kSteps = 8;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double share = static_cast<double>(i) / kSteps;
+      const double h = kTaut.horizontal * std::pow(to.horizontal / kTaut.horizontal, share);
+      const double v = kTaut.vertical * std::pow(to.vertical / kTaut.vertical, share);
+      shooting.step({h - shooting.horizontalForce(), v - shooting.verticalForceA(), 0.0}, 1.0);
+      ASSERT_TRUE(relax(&shooting)) << h;
+    }
+    const MultipleShooting fresh = relaxed(rope, 10.0, to, 1e-9, Middle::kShot);
+    EXPECT_LT((shooting.end().position - fresh.end().position).norm(), 1e-8);
+    EXPECT_EQ(shooting.hasQuietMiddle(), to.horizontal > 5.0);
+  }
+}
+
+TEST(QuietMiddle, OtherPropertiesMeanShots) {
+  CableProperties rope = steelRope();
+  MultipleShooting shooting = relaxed(rope, 10.0, kTaut, 1e-9, Middle::kQuiet);
+  ASSERT_TRUE(shooting.hasQuietMiddle());
+  rope.bending_stiffness *= 1.5;
+  shooting.changeProperties(rope);
+  EXPECT_FALSE(shooting.hasQuietMiddle());
+  ASSERT_TRUE(relax(&shooting));
+  const MultipleShooting fresh = relaxed(rope, 10.0, kTaut, 1e-9, Middle::kQuiet);
+  EXPECT_LT((shooting.end().position - fresh.end().position).norm(), 1e-8);
+}
+
+// Units of shot.h.
+constexpr ShotParameters kBows[] = {{0.8, 0.3, 0.01, 0.0},
+                                    {0.8, 0.3, 0.01, 1e-3},
+                                    {0.3, -0.7, 0.004, 0.05},
+                                    {1e-3, -0.9, 0.01, 1e-4},
+                                    {-0.1, -0.9, 0.01, 0.0}};
+
+TEST(SlowManifold, ObeysTheCablesEquationsTheBetterTheMoreTerms) {
+  for (const ShotParameters& p : kBows) {
+    for (const double t : {0.0, 25.0, 60.0, 90.0}) {
+      double last = std::numeric_limits<double>::infinity();
+      for (int order = 1; order <= 4; ++order) {
+        const SlowState slow = slowState(p, t, order);
+        const ShotState slope = shotDerivative(p, t, {slow.alpha, slow.moment, 0.0, 0.0});
+        const double error = (slow.derivative.col(2) - Eigen::Vector2d(slope.alpha, slope.moment)).norm();
+        EXPECT_LT(error, std::max(0.2 * last, 1e-14));
+        last = error;
+      }
+      EXPECT_LT(last, 1e-11);
+    }
+  }
+}
+
+TEST(SlowManifold, DerivativesAreThoseOfDifferences) {
+  constexpr double d = 1e-5;
+  constexpr double t0 = 3.0, t1 = 80.0;
+  for (const ShotParameters& p : kBows) {
+    const SlowState state = slowState(p, t0, 3);
+    const SlowStretch stretch = slowStretch(p, t0, t1, 3);
+    for (int j = 0; j < 4; ++j) {
+      const auto moved = [&](double by) {
+        ShotParameters q = p;
+        if (j == 0) q.h += by;
+        if (j == 1) q.v += by;
+        const double from = j == 2 ? t0 + by : t0;
+        const double to = j == 3 ? t1 + by : t1;
+        const SlowState at = slowState(q, from, 3);
+        const Eigen::Vector2d end = slowStretch(q, from, to, 3).displacement;
+        return Eigen::Vector4d(at.alpha, at.moment, end.x(), end.y());
+      };
+      const Eigen::Vector4d quotient = (moved(d) - moved(-d)) / (2.0 * d);
+      if (j < 3) {
+        EXPECT_LT((quotient.head<2>() - state.derivative.col(j)).norm(), 1e-9);
+      }
+      EXPECT_LT((quotient.tail<2>() - stretch.derivative.col(j)).norm(), 1e-7 * (1.0 + quotient.tail<2>().norm()));
+    }
+  }
+}
+
+TEST(SlowManifold, StretchesAreSumsOfItsSlopes) {
+  constexpr int kIntervals = 4000;  // of Simpson's rule
+  constexpr double t0 = 3.0, t1 = 80.0;
+  for (const ShotParameters& p : kBows) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (int i = 0; i <= kIntervals; ++i) {
+      const double t = t0 + (t1 - t0) * i / kIntervals;
+      const SlowState slow = slowState(p, t, 3);
+      const ShotState slope = shotDerivative(p, t, {slow.alpha, slow.moment, 0.0, 0.0});
+      const double weight = i == 0 || i == kIntervals ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+      sum += weight * (t1 - t0) / (3.0 * kIntervals) * Eigen::Vector2d(slope.x, slope.w);
+    }
+    EXPECT_LT((slowStretch(p, t0, t1, 3).displacement - sum).norm(), 1e-11);
+    double t = t0;
+    Eigen::Vector2d parts = Eigen::Vector2d::Zero();
+    for (int i = 1; i <= 5; ++i) {
+      const double next = atShareOfRise(p, t0, t1, 0.2 * i);
+      EXPECT_GT(next, t);
+      parts += slowStretch(p, t, next, 3).displacement;
+      t = next;
+    }
+    EXPECT_EQ(t, t1);
+    EXPECT_LT((slowStretch(p, t0, t1, 3).displacement - parts).norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace cdpr_kinetostatics

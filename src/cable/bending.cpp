@@ -106,7 +106,10 @@ BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options,
     adapt = size > kFreezeBelow && i < kAdaptiveIterations;
     last_size = size;
   }
-  outcome.status = {Code::kNotConverged, "Newton's method did not join the cable's segments"};
+  outcome.status = {Code::kNotConverged,
+                    shooting->tooManySegments()
+                        ? "the cable bends sharply over too many bending layers to be shot: a catenary is accurate here"
+                        : "Newton's method did not join the cable's segments"};
   return outcome;
 }
 

@@ -33,7 +33,7 @@ ShotParameters MultipleShooting::parameters() const {
 
 bool MultipleShooting::linearise(bool adapt) {
   if (adapt && !meshFits()) replaceMesh(Middle::kQuiet);
-  if (segments() > kMaxSegments) return false;
+  if (tooManySegments()) return false;
   if (!integrate(adapt)) return false;
   if (adapt) grid_length_ = length_;
   return eliminate();

@@ -88,6 +88,8 @@ class MultipleShooting {
   double length() const { return length_; }
   double horizontalForce() const { return force_.x(); }
   double verticalForceA() const { return force_.y(); }
+  // More segments would be needed than can be afforded: linearise() refuses.
+  bool tooManySegments() const { return segments() > kMaxSegments; }
   // pi^2 EI/L^2 [N].
   double bucklingForce() const;
   int segments() const { return static_cast<int>(segments_.size()); }
@@ -119,8 +121,8 @@ class MultipleShooting {
     Eigen::RowVector4d right;
   };
 
-  // More segments than this are refused: they would take a second and 100 MB.
-  static constexpr int kMaxSegments = 100000;
+  // More segments than this are refused: they would take a tenth of a second for one pass.
+  static constexpr int kMaxSegments = 5000;
 
   void begin(const CableProperties& cable, double length, const Eigen::Vector2d& force, double tolerance,
              double angle_scale, Middle middle);

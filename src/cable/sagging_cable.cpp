@@ -9,7 +9,8 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr double kMaxAngleStep = 0.7;  // [rad]
+constexpr double kMaxAngleStep = 0.7;   // [rad]
+constexpr double kMaxLengthStep = 0.1;  // share of the length
 
 // The forces of a taut cable change at most by this share in one step: its sag goes with 1/T^2.
 constexpr double kMaxForceStep = 1.0;
@@ -55,7 +56,7 @@ bool SaggingCable::linearise(bool adapt) {
 
 double SaggingCable::dampingFor(const Eigen::Vector3d& change) const {
   double damping = 1.0;
-  if (length_ + change.z() < 0.5 * length_) damping = -0.5 * length_ / change.z();
+  if (std::abs(change.z()) > kMaxLengthStep * length_) damping = kMaxLengthStep * length_ / std::abs(change.z());
   if (bends()) damping = std::min(damping, kMaxAngleStep / shooting_.angleChange(change));
   if (seen_.bending_stiffness == 0.0 || length_ < kTautExcess * end_.position.norm()) {
     damping = std::min(damping, kMaxForceStep * tensionA() / change.head<2>().norm());

@@ -33,6 +33,7 @@ bool CableClosure::Evaluate(double const* const* parameters, double* residuals, 
   if (!(length > 0.0)) return false;
 
   Eigen::Vector3d to_b = position + orientation * attachment_ - anchor_;
+  if (!to_b.allFinite()) return false;
   if (std::hypot(to_b.x(), to_b.y()) < kBeside * length_scale_) to_b.head<2>() << kBeside * length_scale_, 0.0;
   const double x = std::hypot(to_b.x(), to_b.y());
   EndPoint end;

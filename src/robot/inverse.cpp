@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMaxIterations = 200;
+constexpr int kMaxIterations = 400;
 
 // Limits that still contradict each other after so many iterations do.
 constexpr int kIterationsToFeasibility = 8;
@@ -25,6 +25,7 @@ constexpr int kIterationsToFeasibility = 8;
 // Below this multiple of its weight a cable may come near the least tension that can hold it.
 constexpr double kNearFold = 3.0;
 constexpr double kAboveFold = 1.001;
+constexpr double kLoopExcess = 1.02;  // a fold lies at more length over chord than this
 
 // Largest turn of a free attitude in one iteration, and the weight of a turn in the objective, which decides
 // only where equilibrium and tensions leave the attitude free.
@@ -108,6 +109,7 @@ class InverseSolve {
   Status checkBranches() const;
   bool linearise(bool adapt);
   TensionDistribution distribute();
+  bool pullBackFromFolds();
   bool raiseLimitsToFolds(const Eigen::VectorXd& tensions);
   Status contradiction(const TensionDistribution& distribution) const;
   Status unbalanced(double imbalance) const;
@@ -122,7 +124,7 @@ class InverseSolve {
   const bool free_turn_;
   Eigen::VectorXd preferred_;
   Eigen::VectorXd tensions_;
-  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();
+  double turn_weight_ = kTurnWeight;
   std::vector<InverseCable> cables_;
   int iterations_ = 0;
 };
@@ -200,7 +202,7 @@ TensionDistribution InverseSolve::distribute() {
   if (free_turn_) matrix.rightCols<3>() = weightStiffness(robot_, pose_).rightCols<3>();
   TensionProblem problem;
   problem.preferred = Eigen::VectorXd::Zero(variables);
-  problem.weight = Eigen::VectorXd::Constant(variables, kTurnWeight);
+  problem.weight = Eigen::VectorXd::Constant(variables, turn_weight_);
   problem.lower = Eigen::VectorXd::Constant(variables, -kMaxTurn);
   problem.upper = Eigen::VectorXd::Constant(variables, kMaxTurn);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -254,15 +256,42 @@ bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
   return raised;
 }
 
+// A cable that has stepped over its fold hangs in a deep loop, where more tension means more length: it starts
+// anew on the taut side. True if there was one.
+bool InverseSolve::pullBackFromFolds() {
+  if (isStraight(options_.model)) return false;
+  CableSolverOptions options;
+  options.model = closedFormRung();
+  options.tolerance = 1e-6;
+  options.deadline = deadline_;
+  bool any = false;
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    InverseCable& c = cables_[i];
+    if (c.by_tension.z() <= 0.0 || c.cable.length() < kLoopExcess * std::hypot(c.line.x, c.line.w)) continue;
+    const CableProperties& properties = robot_.cables[i].properties;
+    CableSolution taut = findLength(properties, c.line.x, c.line.w, c.cable.tensionA(), 0.0, options);
+    if (!taut.status.ok() && taut.least_tension > 0.0) {
+      c.lower = std::max(c.lower, kAboveFold * taut.least_tension);
+      taut = findLength(properties, c.line.x, c.line.w, c.lower, 0.0, options);
+    }
+    if (!taut.status.ok()) continue;
+    c.cable.start(taut.length, {taut.horizontal_force, taut.vertical_force_a});
+    any = true;
+  }
+  return any;
+}
+
 Status InverseSolve::iterate(double tolerance) {
   bool adapt = true;
   double last_size = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d last_turn = Eigen::Vector3d::Zero();
   for (int i = 0; i < kMaxIterations; ++i) {
     if (Clock::now() > deadline_) {
       return {Code::kTimedOut, "the time allowed ran out while the tensions were distributed"};
     }
     ++iterations_;
     if (!linearise(adapt)) break;
+    if (pullBackFromFolds() && !linearise(true)) break;
     TensionDistribution distribution = distribute();
     for (int k = 0; k < 3 && raiseLimitsToFolds(distribution.tensions); ++k) distribution = distribute();
     const auto n = static_cast<Eigen::Index>(cables_.size());
@@ -282,6 +311,9 @@ Status InverseSolve::iterate(double tolerance) {
     }
     for (Eigen::Index k = 0; k < n; ++k) cables_[k].cable.step(cables_[k].change(tensions(k), turn), damping);
     pose_ = displaced(pose_, Eigen::Vector3d::Zero(), damping * turn);
+    // The turn has no curvature in the linearised problem: where it swings, its weight grows.
+    if (i > 0 && (turn.dot(last_turn) < 0.0 || size > 0.8 * last_size)) turn_weight_ *= 1.5;
+    last_turn = turn;
     const bool settled = size <= tolerance || (size < 1e-6 && size >= 0.5 * last_size);
     if ((settled && !adapt) || i >= kIterationsToFeasibility) {
       if (!distribution.feasible) return contradiction(distribution);

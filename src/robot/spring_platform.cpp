@@ -19,6 +19,9 @@ constexpr double kSoftStrain = 0.01;
 constexpr double kStiffening = 10.0;
 constexpr double kSoftTolerance = 1e-3;
 
+// Rounding of the energy, relative to the sum of its terms.
+constexpr double kEnergyRounding = 1e-14;
+
 // Largest step of the platform: a share of the robot's span, and an angle.
 constexpr double kMaxShareOfSpan = 0.2;
 constexpr double kMaxRotation = 0.5;  // [rad]
@@ -112,12 +115,17 @@ Status SpringPlatform::newton(const std::vector<Spring>& springs, double toleran
     const Local there = at(moved, springs);
     const double gain = here.energy - there.energy + torque.dot(step.tail<3>());
     const bool tiny = translation < 0.01 * tolerance && rotation < 0.01 * tolerance;
-    if (gain >= 1e-4 * here.wrench.dot(step) || (tiny && there.wrench.norm() <= here.wrench.norm())) {
+    // Below the energy's rounding the wrench decides, and where it no longer falls the pose is found.
+    const double rounding = kEnergyRounding * (std::abs(here.energy) + robot_.weight() * robot_.span());
+    const bool at_rounding = tiny || here.wrench.dot(step) < rounding;
+    const bool calmer =
+        (scale.asDiagonal() * there.wrench).head(n).norm() < (scale.asDiagonal() * here.wrench).head(n).norm();
+    if (at_rounding ? calmer : gain >= 1e-4 * here.wrench.dot(step)) {
       *pose = moved;
       here = there;
       damping *= damping < 1e-9 ? 0.0 : 0.1;
       if (tiny && damping == 0.0) return {Code::kConverged, ""};
-    } else if (tiny) {
+    } else if (at_rounding) {
       return {Code::kConverged, ""};
     } else {
       damping = std::max(10.0 * damping, 1e-9);

@@ -1,7 +1,8 @@
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 #include "cdpr_kinetostatics/robot/bounded_qp.h"
@@ -14,6 +15,9 @@ constexpr double kRank = 1e-10;
 
 // Accepted violation of a limit, relative to the scaled variables' size.
 constexpr double kLimitTolerance = 1e-12;
+
+// Weight of the tensions' norm beside that of the imbalance, both relative.
+constexpr double kLeastNorm = 1e-8;
 
 }  // namespace
 
@@ -60,17 +64,49 @@ TensionDistribution distributeTensions(const TensionProblem& problem) {
   return distribution;
 }
 
+// Lawson and Hanson's active set on |matrix t - wrench|^2 + (small |t|)^2; the second term picks the least norm.
 Eigen::VectorXd nonNegativeTensions(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& wrench) {
-  // min |matrix t - wrench|^2 + regularisation |t|^2, t >= 0, as the nearest point in y = L^T t.
   const Eigen::Index n = matrix.cols();
-  const double size = matrix.squaredNorm();
-  const Eigen::MatrixXd hessian = matrix.transpose() * matrix + 1e-12 * size * Eigen::MatrixXd::Identity(n, n);
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(hessian);
-  const Eigen::VectorXd x0 = cholesky.matrixL().solve(matrix.transpose() * wrench);
-  const Eigen::MatrixXd normals = cholesky.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
-  const NearestPoint nearest =
-      nearestInPolytope(x0, normals, Eigen::VectorXd::Zero(n), kLimitTolerance * wrench.norm() / std::sqrt(size));
-  return cholesky.matrixU().solve(nearest.x).cwiseMax(0.0);
+  Eigen::MatrixXd system(matrix.rows() + n, n);
+  system << matrix, kLeastNorm * matrix.norm() * Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(system.rows());
+  right.head(wrench.size()) = wrench;
+
+  Eigen::VectorXd tensions = Eigen::VectorXd::Zero(n);
+  std::vector<int> free;
+  const double tolerance = 1e-14 * matrix.norm() * wrench.norm();
+  for (Eigen::Index i = 0; i < 10 * n; ++i) {
+    const Eigen::VectorXd gain = system.transpose() * (right - system * tensions);
+    int enters = -1;
+    for (int j = 0; j < n; ++j) {
+      const bool is_free = std::find(free.begin(), free.end(), j) != free.end();
+      if (!is_free && gain(j) > tolerance && (enters < 0 || gain(j) > gain(enters))) enters = j;
+    }
+    if (enters < 0) break;
+    free.push_back(enters);
+    while (!free.empty()) {
+      const Eigen::VectorXd solution = system(Eigen::all, free).colPivHouseholderQr().solve(right);
+      if (solution.minCoeff() > 0.0) {
+        tensions.setZero();
+        tensions(free) = solution;
+        break;
+      }
+      double share = 1.0;  // as far towards the solution as no tension turns negative
+      for (std::size_t j = 0; j < free.size(); ++j) {
+        if (solution(j) > 0.0) continue;
+        share = std::min(share, tensions(free[j]) / (tensions(free[j]) - solution(j)));
+      }
+      std::vector<int> kept;
+      for (std::size_t j = 0; j < free.size(); ++j) {
+        double& tension = tensions(free[j]);
+        const bool leaves = solution(j) <= 0.0 && tension / (tension - solution(j)) <= share;
+        tension = leaves ? 0.0 : tension + share * (solution(j) - tension);
+        if (!leaves) kept.push_back(free[j]);
+      }
+      free = kept;
+    }
+  }
+  return tensions;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -1,4 +1,4 @@
-// The node: its parameters and the services that answer from them.
+// The node: its parameters, the services that answer from them, and the estimator.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -6,19 +6,24 @@
 
 #include <vector>
 
+#include "cdpr_kinetostatics/ros/diagnostics.h"
+#include "cdpr_kinetostatics/ros/estimator_loop.h"
 #include "cdpr_kinetostatics/ros/parameters.h"
 
 namespace cdpr_kinetostatics {
 
-// Services do not share anything but the constant parameters: they may run in any number of threads.
+// The three kinetostatic services do not share anything but the constant parameters: they may run in any number of
+// threads. The estimator has threads of its own.
 class KinetostaticsNode {
  public:
-  // Throws std::invalid_argument if the parameters are wrong.
-  explicit KinetostaticsNode(const ros::NodeHandle& private_handle);
+  // Throws std::invalid_argument if the parameters are wrong. Topics are those of `handle`.
+  KinetostaticsNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
 
  private:
-  ros::NodeHandle handle_;
+  ros::NodeHandle private_handle_;
   NodeParameters parameters_;
+  EstimatorLoop loop_;
+  Diagnostics diagnostics_;
   std::vector<ros::ServiceServer> servers_;
 };
 

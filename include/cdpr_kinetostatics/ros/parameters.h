@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/model.h"
+#include "cdpr_kinetostatics/estimation/pose_estimator.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 
 namespace XmlRpc {
@@ -13,11 +14,23 @@ class XmlRpcValue;
 
 namespace cdpr_kinetostatics {
 
+class ParameterReader;
+
 struct NodeParameters {
   RobotDescription robot;         // ~robot, no default
   Model model = Model::kBending;  // ~model
   double tolerance = 1e-8;        // ~tolerance, relative [-]
   double timeout = 0.1;           // ~timeout, of one solve [s]
+
+  // ~length_stddev, ~tension_stddev, ~known_load, ~load_stddev, ~outlier_threshold, ~profile_points; the rest
+  // is that of the services.
+  EstimatorOptions estimator;
+  double max_age = 0.5;                     // ~max_age, of a measurement when it arrives [s]
+  int queue_size = 1;                       // ~queue_size, measurements that may wait for the estimator
+  std::string base_frame = "world";         // ~base_frame
+  std::string platform_frame = "platform";  // ~platform_frame
+  bool publish_tf = true;                   // ~publish_tf
+  double marker_rate = 10.0;                // ~marker_rate [Hz], 0: no markers
 };
 
 struct LoadedParameters {
@@ -28,5 +41,9 @@ struct LoadedParameters {
 // Reads the struct of all private parameters. Throws std::invalid_argument whose text names the key, its
 // value and what was expected.
 LoadedParameters loadParameters(const XmlRpc::XmlRpcValue& private_parameters);
+
+// What the simulated rig reads in the same way. Warnings are added to those that are there.
+RobotDescription readRobot(ParameterReader& reader, std::vector<std::string>* warnings);
+Model readModel(ParameterReader& reader, Model fallback);
 
 }  // namespace cdpr_kinetostatics

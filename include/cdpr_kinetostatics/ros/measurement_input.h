@@ -1,0 +1,74 @@
+// What arrives on cable_states: checked, put in the robot's order, and counted.
+//
+// Every message is either used, or refused and counted with the reason. A number that is missing (NaN, no entry for
+// that cable, no effort) or cannot be (a length that is not positive) leaves that measurement out, not the message.
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/JointState.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cdpr_kinetostatics/estimation/pose_estimator.h"
+#include "cdpr_kinetostatics/robot/robot_description.h"
+
+namespace cdpr_kinetostatics {
+
+struct InputCounts {
+  std::uint64_t received = 0;
+  std::uint64_t accepted = 0;
+  // Refused messages.
+  std::uint64_t malformed = 0;  // wrong sizes, no or repeated names, none of the robot's cables
+  std::uint64_t stale = 0;      // older than ~max_age when it arrived, or as far in the future
+  std::uint64_t repeated = 0;   // same stamp as the last one
+  std::uint64_t reordered = 0;  // earlier than the last one by less than ~max_age
+  // Accepted, but.
+  std::uint64_t time_jumps = 0;     // time went backwards: the estimator was reset
+  std::uint64_t unknown_names = 0;  // entries that are none of the robot's cables
+  std::uint64_t missing_lengths = 0;
+  std::uint64_t missing_tensions = 0;
+  std::uint64_t impossible = 0;  // measurements that cannot be: length <= 0, tension far below 0, beyond limits
+
+  std::uint64_t refused() const { return malformed + stale + repeated + reordered; }
+};
+
+struct Measurement {
+  std_msgs::Header header;
+  CableMeasurements cables;
+  bool reset_first = false;  // time went backwards: what was known is void
+};
+
+class MeasurementInput {
+ public:
+  // The robot must outlive the input. A tension above -lowest_tension [N] and below 0 counts as 0.
+  MeasurementInput(const RobotDescription& robot, double max_age, double lowest_tension);
+
+  // The measurement, or nothing if the message is refused.
+  std::optional<Measurement> check(const sensor_msgs::JointState& message, const ros::Time& now);
+
+  // Forgets the stamps, not the counts.
+  void reset();
+
+  const InputCounts& counts() const { return counts_; }
+  // Of the last message that was refused, or had something missing; empty if there was none.
+  const std::string& lastProblem() const { return last_problem_; }
+
+ private:
+  bool refuse(std::uint64_t* count, const std::string& problem);
+  bool hasRightShape(const sensor_msgs::JointState& message);
+  bool hasRightTime(const ros::Time& stamp, const ros::Time& now, bool* jumped);
+  void readCables(const sensor_msgs::JointState& message, CableMeasurements* cables);
+
+  const RobotDescription& robot_;
+  const ros::Duration max_age_;
+  const double lowest_tension_;
+  InputCounts counts_;
+  std::string last_problem_;
+  ros::Time last_stamp_, last_now_;
+  bool clock_went_back_ = false;  // since the last message that was accepted
+};
+
+}  // namespace cdpr_kinetostatics

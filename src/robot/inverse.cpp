@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMaxIterations = 400;
+constexpr int kMaxIterations = 2000;
 
 // Limits that still contradict each other after so many iterations do.
 constexpr int kIterationsToFeasibility = 8;
@@ -30,7 +30,7 @@ constexpr double kLoopExcess = 1.02;  // a fold lies at more length over chord t
 // Largest turn of a free attitude in one iteration, and the weight of a turn in the objective, which decides
 // only where equilibrium and tensions leave the attitude free.
 constexpr double kMaxTurn = 0.2;      // [rad]
-constexpr double kTurnWeight = 1e-3;  // [1/rad]
+constexpr double kTurnWeight = 1e-2;  // [1/rad]
 
 // Below this size of a step the integration of bending cables keeps its grid.
 constexpr double kFreezeBelow = 1e-3;
@@ -299,7 +299,8 @@ Status InverseSolve::iterate(double tolerance) {
     const Eigen::Vector3d turn =
         free_turn_ ? Eigen::Vector3d(distribution.tensions.tail<3>()) : Eigen::Vector3d::Zero();
     double damping = 1.0;
-    double size = turn.norm();
+    // A heavy turn takes short steps: what counts is the slope that is left.
+    double size = turn.norm() * std::max(1.0, turn_weight_ * turn_weight_);
     for (Eigen::Index k = 0; k < n; ++k) {
       const InverseCable& c = cables_[k];
       const Eigen::Vector3d change = c.change(tensions(k), turn);
@@ -312,7 +313,7 @@ Status InverseSolve::iterate(double tolerance) {
     for (Eigen::Index k = 0; k < n; ++k) cables_[k].cable.step(cables_[k].change(tensions(k), turn), damping);
     pose_ = displaced(pose_, Eigen::Vector3d::Zero(), damping * turn);
     // The turn has no curvature in the linearised problem: where it swings, its weight grows.
-    if (i > 0 && (turn.dot(last_turn) < 0.0 || size > 0.8 * last_size)) turn_weight_ *= 1.5;
+    if (i > 0 && (turn.dot(last_turn) < 0.0 || size > 1.5 * last_size)) turn_weight_ *= 1.5;
     last_turn = turn;
     const bool settled = size <= tolerance || (size < 1e-6 && size >= 0.5 * last_size);
     if ((settled && !adapt) || i >= kIterationsToFeasibility) {

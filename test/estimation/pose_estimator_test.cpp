@@ -97,8 +97,8 @@ TEST_P(FaultyCable, IsFlaggedAndTheEstimateStays) {
       const Estimate expected = good.update(clean);
       ASSERT_TRUE(expected.solution.report.status.ok());
       // A cable that is nearly slack takes up a drum's turn in its sag, and its tension hardly tells.
-      if (fault.length && *clean.tensions[i] < 2.0 * simulated.estimator.outlier_threshold *
-                                                    simulated.estimator.tension_stddev) {
+      if (fault.length &&
+          *clean.tensions[i] < 2.0 * simulated.estimator.outlier_threshold * simulated.estimator.tension_stddev) {
         continue;
       }
       const double redundancy = fault.length ? expected.length_redundancy[i] : expected.tension_redundancy[i];

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-LoadedRobot shipped(const std::string& name) {
-  return loadRobotFile(std::string(ROBOT_DIR) + "/" + name + ".yaml");
-}
+LoadedRobot shipped(const std::string& name) { return loadRobotFile(std::string(ROBOT_DIR) + "/" + name + ".yaml"); }
 
 class ShippedRobot : public testing::TestWithParam<std::string> {};
 

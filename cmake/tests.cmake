@@ -37,10 +37,10 @@ foreach(layer cable residuals robot estimation ros)
 endforeach()
 
 # test/ros/<name>.test runs the executable of test/ros/<name>_rostest.cpp.
-foreach(name services bad_requests node_start)
+foreach(name services bad_requests node_start estimator tracking)
   add_rostest_gtest(${name}_rostest test/ros/${name}.test test/ros/${name}_rostest.cpp)
   target_link_libraries(${name}_rostest cdpr_kinetostatics_ros)
   target_compile_definitions(${name}_rostest PRIVATE NODE_EXECUTABLE="$<TARGET_FILE:kinetostatics_node>")
-  add_dependencies(${name}_rostest kinetostatics_node)
+  add_dependencies(${name}_rostest kinetostatics_node rig_simulator)
   cdpr_test_target(${name}_rostest)
 endforeach()

@@ -12,18 +12,23 @@ packages=(
 )
 if [ -d /opt/ros/noetic ]; then
   packages+=(
-    python3-catkin-lint ros-noetic-catkin ros-noetic-geometry-msgs ros-noetic-message-generation
+    python3-catkin-lint ros-noetic-catkin ros-noetic-diagnostic-msgs ros-noetic-diagnostic-updater
+    ros-noetic-geometry-msgs ros-noetic-interactive-markers ros-noetic-message-generation
     ros-noetic-message-runtime ros-noetic-rosbash ros-noetic-roscpp ros-noetic-roslaunch ros-noetic-rospy
-    ros-noetic-rosservice ros-noetic-rostest ros-noetic-std-msgs
+    ros-noetic-rosservice ros-noetic-rostest ros-noetic-rviz ros-noetic-sensor-msgs ros-noetic-std-msgs ros-noetic-std-srvs
+    ros-noetic-tf2-ros ros-noetic-visualization-msgs
   )
 else
   packages+=(
     # build
-    catkin catkin-lint libgeometry-msgs-dev libroscpp-dev librostest-dev libstd-msgs-dev ros-geometry-msgs
-    ros-message-generation ros-message-runtime ros-std-msgs
+    catkin catkin-lint libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev libinteractive-markers-dev
+    libroscpp-dev librostest-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libtf2-ros-dev
+    libvisualization-msgs-dev ros-diagnostic-msgs ros-geometry-msgs ros-message-generation ros-message-runtime
+    ros-sensor-msgs ros-std-msgs ros-std-srvs ros-visualization-msgs
     # run and test
-    python3-geometry-msgs python3-roslaunch python3-rosparam python3-rospy python3-rosservice python3-rostest
-    python3-std-msgs rosbash rosout
+    python3-diagnostic-msgs python3-geometry-msgs python3-roslaunch python3-rosparam python3-rospy python3-rosservice
+    python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-visualization-msgs
+    rosbash rosout rviz
   )
 fi
 

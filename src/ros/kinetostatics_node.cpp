@@ -4,6 +4,7 @@
 #include <ros/param.h>
 
 #include "cdpr_kinetostatics/ros/cable_service.h"
+#include "cdpr_kinetostatics/ros/estimator_services.h"
 #include "cdpr_kinetostatics/ros/forward_service.h"
 #include "cdpr_kinetostatics/ros/inverse_service.h"
 #include "cdpr_kinetostatics/ros/text.h"
@@ -22,12 +23,11 @@ NodeParameters fromServer(const ros::NodeHandle& private_handle) {
 
 // Advertises a service whose outcome is in its response: the call itself always succeeds.
 template <typename Service, typename Serve>
-ros::ServiceServer advertise(ros::NodeHandle& handle, const NodeParameters& parameters, const char* name, Serve serve) {
+ros::ServiceServer advertise(ros::NodeHandle& handle, const char* name, Serve serve) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
-  const boost::function<bool(Request&, Response&)> callback = [&parameters, serve](Request& request,
-                                                                                   Response& response) {
-    response = serve(parameters, request);
+  const boost::function<bool(Request&, Response&)> callback = [serve](Request& request, Response& response) {
+    response = serve(request);
     return true;
   };
   return handle.advertiseService(name, callback);
@@ -42,11 +42,24 @@ std::string summary(const NodeParameters& parameters) {
 
 }  // namespace
 
-KinetostaticsNode::KinetostaticsNode(const ros::NodeHandle& private_handle)
-    : handle_(private_handle), parameters_(fromServer(private_handle)) {
-  servers_.push_back(advertise<ForwardKinetostatics>(handle_, parameters_, "forward_kinetostatics", serveForward));
-  servers_.push_back(advertise<InverseKinetostatics>(handle_, parameters_, "inverse_kinetostatics", serveInverse));
-  servers_.push_back(advertise<SolveCable>(handle_, parameters_, "solve_cable", serveCable));
+KinetostaticsNode::KinetostaticsNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : private_handle_(private_handle),
+      parameters_(fromServer(private_handle)),
+      loop_(handle, parameters_),
+      diagnostics_(private_handle, loop_, parameters_) {
+  using Forward = ForwardKinetostatics;
+  using Inverse = InverseKinetostatics;
+  using Reset = std_srvs::Trigger;
+  ros::NodeHandle& own = private_handle_;
+  const NodeParameters& p = parameters_;
+  EstimatorLoop& loop = loop_;
+  servers_ = {
+      advertise<Forward>(own, "forward_kinetostatics", [&p](const Forward::Request& r) { return serveForward(p, r); }),
+      advertise<Inverse>(own, "inverse_kinetostatics", [&p](const Inverse::Request& r) { return serveInverse(p, r); }),
+      advertise<SolveCable>(own, "solve_cable", [&p](const SolveCable::Request& r) { return serveCable(p, r); }),
+      advertise<SetPose>(own, "set_pose", [&p, &loop](const SetPose::Request& r) { return serveSetPose(loop, p, r); }),
+      advertise<Reset>(own, "reset", [&loop](const Reset::Request&) { return serveReset(loop); }),
+  };
 
   std::string services;
   for (const ros::ServiceServer& server : servers_) services += " " + server.getService();

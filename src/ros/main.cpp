@@ -9,9 +9,9 @@ int main(int argc, char** argv) {
   constexpr int kServiceThreads = 4;
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what the node says appears at once, in a pipe too
   ros::init(argc, argv, "kinetostatics");
-  const ros::NodeHandle handle("~");  // outlives the try: without a handle nothing is logged
+  const ros::NodeHandle handle;  // outlives the try: without a handle nothing is logged
   try {
-    const cdpr_kinetostatics::KinetostaticsNode node(handle);
+    const cdpr_kinetostatics::KinetostaticsNode node(handle, ros::NodeHandle("~"));
     ros::AsyncSpinner spinner(kServiceThreads);
     spinner.start();
     ros::waitForShutdown();

@@ -1,14 +1,10 @@
 #include "cdpr_kinetostatics/ros/parameters.h"
 
-#include <xmlrpcpp/XmlRpcValue.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
 #include "cdpr_kinetostatics/ros/conversions.h"
+#include "cdpr_kinetostatics/ros/parameter_reader.h"
 #include "cdpr_kinetostatics/ros/request_checks.h"
 #include "cdpr_kinetostatics/ros/text.h"
 
@@ -16,99 +12,78 @@ namespace cdpr_kinetostatics {
 
 namespace {
 
-using XmlRpc::XmlRpcValue;
-
-constexpr std::array<const char*, 4> kKnownKeys = {"robot", "model", "tolerance", "timeout"};
-
-[[noreturn]] void refuse(const std::string& key, const XmlRpcValue& value, const std::string& expected) {
-  std::ostringstream shown;
-  if (value.getType() == XmlRpcValue::TypeString) {
-    shown << "'" << static_cast<const std::string&>(value) << "'";
-  } else {
-    value.write(shown);
-  }
-  throw std::invalid_argument(text("parameter ~", key, " is ", shown.str(), ": expected ", expected));
+void readEstimator(ParameterReader& reader, NodeParameters* parameters) {
+  EstimatorOptions& options = parameters->estimator;
+  options.model = parameters->model;
+  options.tolerance = parameters->tolerance;
+  options.timeout = std::chrono::duration<double>(parameters->timeout);
+  options.length_stddev = reader.number("length_stddev", options.length_stddev, 1e-9, 1e3, " m");
+  options.tension_stddev = reader.number("tension_stddev", options.tension_stddev, 1e-6, 1e9, " N");
+  options.known_load = reader.flag("known_load", options.known_load);
+  options.load_stddev = EstimatorOptions::defaultLoadStddev(parameters->robot);
+  const std::vector<double> load = reader.numbers("load_stddev", 6, 1e-9, 1e12, " [N, N, N, N m, N m, N m]");
+  for (std::size_t i = 0; i < load.size(); ++i) options.load_stddev(static_cast<Eigen::Index>(i)) = load[i];
+  options.outlier_threshold = reader.number("outlier_threshold", options.outlier_threshold, 1.0, 1e6, " sigma");
+  options.profile_points = reader.integer("profile_points", 21, 0, kMaxProfilePoints);
+  if (options.profile_points == 1) reader.refuse("profile_points", "0 (no profiles) or at least 2");
+  std::string problem;
+  if (!options.isValid(&problem)) throw std::invalid_argument("parameters of the estimator: " + problem);
 }
 
-// YAML 1.1 reads 1e-8, without a point, as a string: a string that is a number in full is taken as one.
-std::optional<double> asNumber(const XmlRpcValue& value) {
-  switch (value.getType()) {
-    case XmlRpcValue::TypeInt:
-      return static_cast<const int&>(value);
-    case XmlRpcValue::TypeDouble:
-      return static_cast<const double&>(value);
-    case XmlRpcValue::TypeString: {
-      const std::string& word = static_cast<const std::string&>(value);
-      char* end = nullptr;
-      const double number = std::strtod(word.c_str(), &end);
-      if (word.empty() || *end != '\0') return std::nullopt;
-      return number;
-    }
-    default:
-      return std::nullopt;
-  }
-}
+}  // namespace
 
-double numberBetween(const std::string& key, const XmlRpcValue& value, double low, double high, const char* unit) {
-  const std::optional<double> number = asNumber(value);
-  if (!number || !(*number >= low && *number <= high)) {
-    refuse(key, value, text("a number from ", low, " to ", high, unit));
+RobotDescription readRobot(ParameterReader& reader, std::vector<std::string>* warnings) {
+  if (!reader.has("robot")) {
+    throw std::invalid_argument(
+        "parameter ~robot is missing: expected a robot description; roslaunch cdpr_kinetostatics "
+        "kinetostatics.launch robot:=cogiro loads config/robots/cogiro.yaml there, robot_file:=PATH one of your own");
   }
-  return *number;
-}
-
-Model modelOf(const XmlRpcValue& value) {
-  std::optional<Model> model;
-  if (value.getType() == XmlRpcValue::TypeString) model = modelFromName(static_cast<const std::string&>(value));
-  if (!model || *model == Model::kDefault) {
-    refuse("model", value,
-           "one of straight, straight_elastic, catenary_inextensible, catenary, bending_inextensible, bending");
-  }
-  if (const auto problem = unavailable(*model)) throw std::invalid_argument("parameter ~model: " + *problem);
-  return *model;
-}
-
-LoadedRobot robotOf(const XmlRpcValue& value) {
   try {
-    return parseRobot(toYaml(value));
+    LoadedRobot robot = parseRobot(toYaml(reader.value("robot")));
+    for (const std::string& warning : robot.warnings) warnings->push_back("parameter ~robot: " + warning);
+    return std::move(robot.robot);
   } catch (const std::invalid_argument& problem) {
     throw std::invalid_argument(text("parameter ~robot: ", problem.what()));
   }
 }
 
-}  // namespace
+Model readModel(ParameterReader& reader, Model fallback) {
+  if (!reader.has("model")) return fallback;
+  const XmlRpc::XmlRpcValue& value = reader.value("model");
+  std::optional<Model> model;
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeString) {
+    model = modelFromName(static_cast<const std::string&>(value));
+  }
+  if (!model || *model == Model::kDefault) {
+    reader.refuse("model",
+                  "one of straight, straight_elastic, catenary_inextensible, catenary, bending_inextensible, bending");
+  }
+  if (const auto problem = unavailable(*model)) throw std::invalid_argument("parameter ~model: " + *problem);
+  return *model;
+}
 
-LoadedParameters loadParameters(const XmlRpcValue& private_parameters) {
+LoadedParameters loadParameters(const XmlRpc::XmlRpcValue& private_parameters) {
   LoadedParameters loaded;
   NodeParameters& parameters = loaded.parameters;
-  const bool any = private_parameters.getType() == XmlRpcValue::TypeStruct;
-  const auto given = [&](const char* key) { return any && private_parameters.hasMember(key); };
+  ParameterReader reader(private_parameters);
+  parameters.robot = readRobot(reader, &loaded.warnings);
+  parameters.model = readModel(reader, parameters.model);
+  parameters.tolerance = reader.number("tolerance", parameters.tolerance, kMinTolerance, kMaxTolerance, "");
+  parameters.timeout = reader.number("timeout", parameters.timeout, kMinTimeout, kMaxTimeout, " s");
 
-  if (!given("robot")) {
-    throw std::invalid_argument(
-        "parameter ~robot is missing: expected a robot description; roslaunch cdpr_kinetostatics "
-        "kinetostatics.launch robot:=cogiro loads config/robots/cogiro.yaml there, robot_file:=PATH one of your own");
+  readEstimator(reader, &parameters);
+  parameters.max_age = reader.number("max_age", parameters.max_age, 1e-3, 3600.0, " s");
+  parameters.queue_size = reader.integer("queue_size", parameters.queue_size, 1, 100000);
+  parameters.base_frame = reader.word("base_frame", parameters.base_frame);
+  parameters.platform_frame = reader.word("platform_frame", parameters.platform_frame);
+  if (parameters.platform_frame == parameters.base_frame) {
+    reader.refuse("platform_frame", text("another frame than ~base_frame, which is '", parameters.base_frame, "'"));
   }
-  LoadedRobot robot = robotOf(private_parameters["robot"]);
-  parameters.robot = std::move(robot.robot);
-  for (const std::string& warning : robot.warnings) loaded.warnings.push_back("parameter ~robot: " + warning);
+  parameters.publish_tf = reader.flag("publish_tf", parameters.publish_tf);
+  parameters.marker_rate = reader.number("marker_rate", parameters.marker_rate, 0.0, 1000.0, " Hz");
+  static_cast<void>(reader.number("diagnostic_period", 1.0, 0.01, 3600.0, " s"));  // diagnostic_updater reads it
 
-  if (given("model")) parameters.model = modelOf(private_parameters["model"]);
-  if (given("tolerance")) {
-    parameters.tolerance =
-        numberBetween("tolerance", private_parameters["tolerance"], kMinTolerance, kMaxTolerance, "");
-  }
-  if (given("timeout")) {
-    parameters.timeout = numberBetween("timeout", private_parameters["timeout"], kMinTimeout, kMaxTimeout, " s");
-  }
-
-  for (auto entry = private_parameters.begin(); entry != private_parameters.end(); ++entry) {
-    if (std::find(kKnownKeys.begin(), kKnownKeys.end(), entry->first) != kKnownKeys.end()) continue;
-    std::string known;
-    for (const char* key : kKnownKeys) known += text(known.empty() ? "~" : ", ~", key);
-    loaded.warnings.push_back(
-        text("parameter ~", entry->first, " is unknown and ignored: the node's parameters are ", known));
-  }
+  for (const std::string& warning : reader.ignored()) loaded.warnings.push_back(warning);
   return loaded;
 }
 

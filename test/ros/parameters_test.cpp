@@ -45,6 +45,26 @@ TEST(Parameters, DefaultsAreThoseOfTheManual) {
   EXPECT_EQ(from_manual.parameters.tolerance, loaded.parameters.tolerance);
   EXPECT_EQ(from_manual.parameters.timeout, loaded.parameters.timeout);
   EXPECT_TRUE(from_manual.warnings.empty());
+
+  const NodeParameters& a = loaded.parameters;
+  const NodeParameters& b = from_manual.parameters;
+  EXPECT_EQ(a.estimator.length_stddev, 1e-3);
+  EXPECT_EQ(a.estimator.tension_stddev, 5.0);
+  EXPECT_TRUE(a.estimator.known_load);
+  EXPECT_NEAR(a.estimator.load_stddev(2), 0.01 * a.robot.weight(), 1e-9);
+  EXPECT_EQ(a.estimator.outlier_threshold, 6.0);
+  EXPECT_EQ(a.max_age, 0.5);
+  EXPECT_EQ(a.base_frame, "world");
+  EXPECT_EQ(a.platform_frame, "platform");
+  EXPECT_TRUE(a.publish_tf);
+  EXPECT_EQ(a.estimator.length_stddev, b.estimator.length_stddev);
+  EXPECT_EQ(a.estimator.tension_stddev, b.estimator.tension_stddev);
+  EXPECT_EQ(a.estimator.load_stddev, b.estimator.load_stddev);
+  EXPECT_EQ(a.estimator.outlier_threshold, b.estimator.outlier_threshold);
+  EXPECT_EQ(a.estimator.profile_points, b.estimator.profile_points);
+  EXPECT_EQ(a.max_age, b.max_age);
+  EXPECT_EQ(a.queue_size, b.queue_size);
+  EXPECT_EQ(a.marker_rate, b.marker_rate);
 }
 
 TEST(Parameters, RobotIsTheSameAsFromTheFile) {
@@ -94,6 +114,19 @@ TEST(Parameters, WrongOnesAreRefusedByNameAndValue) {
       {"tolerance", 1.0, "1"},
       {"tolerance", "1e-8 m", "'1e-8 m'"},
       {"tolerance", true, "1"},
+      {"length_stddev", 0.0, "0"},
+      {"tension_stddev", -5.0, "-5"},
+      {"known_load", "yes", "'yes'"},
+      {"load_stddev", 9.0, "9"},
+      {"outlier_threshold", nan, "nan"},
+      {"max_age", 0, "0"},
+      {"queue_size", 1.5, "1.5"},
+      {"queue_size", 0, "0"},
+      {"marker_rate", -1, "-1"},
+      {"profile_points", 1, "1"},
+      {"base_frame", "", "''"},
+      {"platform_frame", "world", "'world'"},
+      {"publish_tf", 1, "1"},
       {"model", "rigid", "'rigid'"},
       {"model", 8, "8"},
       {"model", "auto", "auto is not available"},

@@ -19,6 +19,9 @@ inline XmlRpc::XmlRpcValue toParameter(const YAML::Node& node) {
     for (std::size_t i = 0; i < node.size(); ++i) value[static_cast<int>(i)] = toParameter(node[i]);
     return value;
   }
+  if (node.Tag() != "!" && (node.Scalar() == "true" || node.Scalar() == "false")) {
+    return XmlRpc::XmlRpcValue(node.Scalar() == "true");
+  }
   int integer = 0;
   double number = 0.0;
   if (YAML::convert<int>::decode(node, integer)) return XmlRpc::XmlRpcValue(integer);

@@ -1,0 +1,34 @@
+#include "cdpr_kinetostatics/ros/estimate_output.h"
+
+#include "cdpr_kinetostatics/ros/estimate_message.h"
+#include "cdpr_kinetostatics/ros/markers.h"
+
+namespace cdpr_kinetostatics {
+
+EstimateOutput::EstimateOutput(ros::NodeHandle handle, const NodeParameters& parameters) : parameters_(parameters) {
+  constexpr std::uint32_t kQueue = 100;
+  pose_ = handle.advertise<geometry_msgs::PoseWithCovarianceStamped>("platform_pose", kQueue);
+  load_ = handle.advertise<geometry_msgs::WrenchStamped>("platform_load", kQueue);
+  state_ = handle.advertise<KinetostaticState>("kinetostatic_state", kQueue);
+  markers_ = handle.advertise<visualization_msgs::MarkerArray>("cable_markers", 1);
+}
+
+bool EstimateOutput::markersAreDue(const ros::Time& stamp) {
+  if (parameters_.marker_rate <= 0.0 || markers_.getNumSubscribers() == 0) return false;
+  // A little early is in time: stamps need not be multiples of the period.
+  const ros::Duration period(0.99 / parameters_.marker_rate);
+  if (stamp >= last_markers_ && stamp < last_markers_ + period) return false;
+  last_markers_ = stamp;
+  return true;
+}
+
+void EstimateOutput::publish(const KinetostaticState& state) {
+  state_.publish(state);
+  if (state.report.code != SolveReport::CONVERGED) return;
+  pose_.publish(poseOf(state));
+  load_.publish(loadOf(state));
+  if (parameters_.publish_tf) broadcaster_.sendTransform(transformOf(state, parameters_.platform_frame));
+  if (markersAreDue(state.header.stamp)) markers_.publish(cableMarkers(parameters_.robot, state));
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,125 @@
+#include "cdpr_kinetostatics/ros/measurement_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cdpr_kinetostatics/ros/request_checks.h"
+#include "cdpr_kinetostatics/ros/text.h"
+
+namespace cdpr_kinetostatics {
+
+MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age, double lowest_tension)
+    : robot_(robot), max_age_(max_age), lowest_tension_(lowest_tension) {}
+
+void MeasurementInput::reset() {
+  last_stamp_ = last_now_ = ros::Time();
+  clock_went_back_ = false;
+}
+
+bool MeasurementInput::refuse(std::uint64_t* count, const std::string& problem) {
+  ++*count;
+  last_problem_ = problem;
+  return false;
+}
+
+bool MeasurementInput::hasRightShape(const sensor_msgs::JointState& message) {
+  const std::size_t names = message.name.size();
+  if (names == 0) {
+    return refuse(&counts_.malformed, "name is empty: expected the names of the cables");
+  }
+  if (message.position.size() != names) {
+    return refuse(&counts_.malformed,
+                  text("position has ", message.position.size(), " entries for ", names, " names: expected one each"));
+  }
+  if (!message.effort.empty() && message.effort.size() != names) {
+    return refuse(&counts_.malformed, text("effort has ", message.effort.size(), " entries for ", names,
+                                           " names: expected one each, or none if tensions are not measured"));
+  }
+  std::vector<std::string> sorted = message.name;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) {
+    return refuse(&counts_.malformed, text("name has '", *twice, "' more than once: expected each cable once"));
+  }
+  const auto known = [&](const CableDescription& cable) {
+    return std::binary_search(sorted.begin(), sorted.end(), cable.name);
+  };
+  if (std::none_of(robot_.cables.begin(), robot_.cables.end(), known)) {
+    return refuse(&counts_.malformed, text("none of the names is a cable of ", robot_.name, ": the first is '",
+                                           message.name[0], "', the robot's first '", robot_.cables[0].name, "'"));
+  }
+  return true;
+}
+
+bool MeasurementInput::hasRightTime(const ros::Time& stamp, const ros::Time& now, bool* jumped) {
+  clock_went_back_ |= now < last_now_;
+  last_now_ = now;
+  if (stamp.isZero()) return refuse(&counts_.stale, "header.stamp is 0: expected the time of the measurement");
+  const double age = (now - stamp).toSec();
+  if (std::abs(age) > max_age_.toSec()) {
+    return refuse(&counts_.stale, text("stamped ", std::abs(age), age > 0.0 ? " s ago" : " s in the future",
+                                       ": expected within max_age of ", max_age_.toSec(),
+                                       " s; are the clocks of the machines the same? Is use_sim_time set for a bag?"));
+  }
+  *jumped = !last_stamp_.isZero() && stamp < last_stamp_ && (clock_went_back_ || last_stamp_ - stamp > max_age_);
+  if (*jumped || last_stamp_.isZero() || stamp > last_stamp_) return true;
+  if (stamp == last_stamp_) return refuse(&counts_.repeated, "the same stamp as the message before");
+  return refuse(&counts_.reordered, text("stamped ", (last_stamp_ - stamp).toSec(), " s before the message before"));
+}
+
+void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableMeasurements* cables) {
+  cables->lengths.assign(robot_.cables.size(), std::nullopt);
+  cables->tensions.assign(robot_.cables.size(), std::nullopt);
+  const auto note = [&](std::uint64_t* count, const std::string& problem) {
+    ++*count;
+    last_problem_ = problem;
+  };
+  for (std::size_t k = 0; k < message.name.size(); ++k) {
+    const auto same_name = [&](const CableDescription& cable) { return cable.name == message.name[k]; };
+    const auto found = std::find_if(robot_.cables.begin(), robot_.cables.end(), same_name);
+    if (found == robot_.cables.end()) {
+      note(&counts_.unknown_names, text("'", message.name[k], "' is not a cable of ", robot_.name));
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(found - robot_.cables.begin());
+    const double length = message.position[k];
+    if (length > 0.0 && length <= kMaxLength) {
+      cables->lengths[i] = length;
+    } else if (!std::isnan(length)) {
+      note(&counts_.impossible, text("the length of ", found->name, " is ", length, " m: expected a positive number"));
+    }
+    if (message.effort.empty()) continue;
+    const double tension = message.effort[k];
+    if (tension > -lowest_tension_ && tension <= kMaxForce) {
+      cables->tensions[i] = std::max(0.0, tension);
+    } else if (!std::isnan(tension)) {
+      note(&counts_.impossible, text("the tension of ", found->name, " is ", tension, " N: expected 0 or more"));
+    }
+  }
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    if (!cables->lengths[i]) {
+      note(&counts_.missing_lengths, text("no length of ", robot_.cables[i].name));
+    }
+    if (!cables->tensions[i] && !message.effort.empty()) {
+      note(&counts_.missing_tensions, text("no tension of ", robot_.cables[i].name));
+    }
+  }
+}
+
+std::optional<Measurement> MeasurementInput::check(const sensor_msgs::JointState& message, const ros::Time& now) {
+  ++counts_.received;
+  Measurement measurement;
+  if (!hasRightShape(message) || !hasRightTime(message.header.stamp, now, &measurement.reset_first)) {
+    return std::nullopt;
+  }
+  readCables(message, &measurement.cables);
+  measurement.header = message.header;
+  if (measurement.reset_first) ++counts_.time_jumps;
+  ++counts_.accepted;
+  last_stamp_ = message.header.stamp;
+  clock_went_back_ = false;
+  return measurement;
+}
+
+}  // namespace cdpr_kinetostatics

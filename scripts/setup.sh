@@ -7,6 +7,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 packages=(
   # compiler and libraries
   g++ make cmake libceres-dev libeigen3-dev libyaml-cpp-dev libgtest-dev
+  # pictures of scripts/demo.sh
+  imagemagick libgl1-mesa-dri python3-matplotlib python3-numpy xauth xvfb
   # checks of scripts/test.sh
   clang-format clang-tidy
 )
@@ -14,7 +16,7 @@ if [ -d /opt/ros/noetic ]; then
   packages+=(
     python3-catkin-lint ros-noetic-catkin ros-noetic-diagnostic-msgs ros-noetic-diagnostic-updater
     ros-noetic-geometry-msgs ros-noetic-interactive-markers ros-noetic-message-generation
-    ros-noetic-message-runtime ros-noetic-rosbash ros-noetic-roscpp ros-noetic-roslaunch ros-noetic-rospy
+    ros-noetic-message-runtime ros-noetic-rosbag ros-noetic-rosbash ros-noetic-roscpp ros-noetic-roslaunch ros-noetic-rospy
     ros-noetic-rosservice ros-noetic-rostest ros-noetic-rviz ros-noetic-sensor-msgs ros-noetic-std-msgs ros-noetic-std-srvs
     ros-noetic-tf2-ros ros-noetic-visualization-msgs
   )
@@ -26,7 +28,7 @@ else
     libvisualization-msgs-dev ros-diagnostic-msgs ros-geometry-msgs ros-message-generation ros-message-runtime
     ros-sensor-msgs ros-std-msgs ros-std-srvs ros-visualization-msgs
     # run and test
-    python3-diagnostic-msgs python3-geometry-msgs python3-roslaunch python3-rosparam python3-rospy python3-rosservice
+    python3-diagnostic-msgs python3-geometry-msgs python3-rosbag python3-roslaunch python3-rosparam python3-rospy python3-rosservice
     python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-visualization-msgs
     rosbash rosout rviz
   )

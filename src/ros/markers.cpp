@@ -11,7 +11,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.0012;  // in spans of the frame
+constexpr double kLineWidth = 0.0016;  // in spans of the frame
 constexpr double kTextHeight = 0.018;  // in spans of the frame
 constexpr int kLegendEntries = 5;
 
@@ -34,8 +34,9 @@ struct TensionScale {
 
 // Blue, cyan, green, yellow, red.
 std_msgs::ColorRGBA colour(double share) {
-  const auto ramp = [&](double centre) { return std::clamp(1.5 - std::abs(4.0 * share - centre), 0.0, 1.0); };
-  return rgba(ramp(3.0), ramp(2.0), ramp(1.0), 1.0);
+  const auto ramp = [&](double centre) { return std::clamp(1.5 - std::abs(0.5 + 3.0 * share - centre), 0.0, 1.0); };
+  const auto light = [&](double centre) { return 0.2 + 0.8 * ramp(centre); };
+  return rgba(light(3.0), light(2.0), light(1.0), 1.0);
 }
 
 Marker marker(const std_msgs::Header& header, const char* space, std::size_t id, int type) {
@@ -67,7 +68,7 @@ std::string inNewton(double tension) {
 
 std_msgs::ColorRGBA colourOf(const CableState& cable, bool outlier, const TensionScale& scale) {
   if (outlier) return rgba(1.0, 0.0, 1.0, 1.0);
-  if (cable.condition == CableState::COMPRESSED) return rgba(0.0, 0.0, 0.0, 1.0);
+  if (cable.condition == CableState::COMPRESSED) return rgba(1.0, 1.0, 1.0, 1.0);
   return colour(scale.share(cable.tension_a));
 }
 
@@ -116,7 +117,7 @@ Marker platformMarker(const RobotDescription& robot, const std_msgs::Header& hea
   m.pose = pose;
   m.pose.position = toPoint(fromMsg(pose).transform(0.5 * (low + high)));
   m.scale = toVector3(robot.size);
-  m.color = rgba(0.4, 0.5, 0.6, 0.7);
+  m.color = rgba(0.5, 0.6, 0.75, 0.85);
   return m;
 }
 
@@ -134,10 +135,10 @@ visualization_msgs::MarkerArray cableMarkers(const RobotDescription& robot, cons
     markers.markers.push_back(line);
 
     const Eigen::Vector3d anchor = robot.cables[i].anchor;
-    const Eigen::Vector3d quarter = anchor + 0.25 * (pose.transform(robot.cables[i].attachment) - anchor);
+    const Eigen::Vector3d middle = anchor + 0.35 * (pose.transform(robot.cables[i].attachment) - anchor);
     const std::string words = cable.name + " " + inNewton(cable.tension_a) + (outlier ? ", outlier" : "");
     markers.markers.push_back(
-        label(state.header, "tensions", i, words, quarter, 0.6 * kTextHeight * robot.span(), line.color));
+        label(state.header, "tensions", i, words, middle, 0.8 * kTextHeight * robot.span(), line.color));
   }
   addLegend(robot, state, scale, &markers);
   markers.markers.push_back(platformMarker(robot, state.header, state.pose.pose));

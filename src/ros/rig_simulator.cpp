@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kDefaultRadius = 0.05;  // in spans of the frame
 constexpr double kMarkerSize = 0.1;      // in spans of the frame
+constexpr double kTruthScale = 1.03;     // so that the estimate does not hide it
 
 visualization_msgs::InteractiveMarkerControl control(const Eigen::Vector3d& axis, std::uint8_t mode,
                                                      const std::string& name) {
@@ -154,6 +155,9 @@ void RigSimulator::step(double time) {
   if (true_platform_.getNumSubscribers() > 0) {
     visualization_msgs::Marker platform = platformMarker(parameters_.robot, pose.header, pose.pose);
     platform.color = rgba(0.2, 0.9, 0.3, 0.35);
+    platform.scale.x *= kTruthScale;
+    platform.scale.y *= kTruthScale;
+    platform.scale.z *= kTruthScale;
     true_platform_.publish(platform);
   }
   if (auto message = measurements_.measure(truth.cables, time)) {

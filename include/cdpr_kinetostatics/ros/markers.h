@@ -12,7 +12,7 @@
 namespace cdpr_kinetostatics {
 
 // From blue at the lowest tension to red at the highest, by the logarithm; cables with measurements left out are
-// magenta, cables that push are black. Without profiles cables are drawn as chords.
+// magenta, cables that push are white. Without profiles cables are drawn as chords.
 visualization_msgs::MarkerArray cableMarkers(const RobotDescription& robot, const KinetostaticState& state);
 
 // A box of the robot's size around the attachments.

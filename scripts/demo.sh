@@ -35,13 +35,14 @@ fi
 "$repository/scripts/setup.sh"
 build_log=$(mktemp)
 launch_log=$(mktemp)
+rviz_config=$(mktemp --suffix=.rviz)
 launch=
 client=
 cleanup() {
   for process in $client $launch; do
     kill "$process" 2>/dev/null && wait "$process" || true
   done
-  rm -f "$build_log" "$launch_log"
+  rm -f "$build_log" "$launch_log" "$rviz_config"
 }
 trap cleanup EXIT
 trap 'exit 130' INT TERM
@@ -57,7 +58,8 @@ source_workspace
 port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI=http://localhost:$port ROS_HOSTNAME=localhost
 unset ROS_IP
-roslaunch -p "$port" cdpr_kinetostatics demo.launch robot:="$robot" rviz:="$rviz" >"$launch_log" 2>&1 &
+"$repository/scripts/rviz_view.py" "$repository/config/robots/$robot.yaml" >"$rviz_config"
+roslaunch -p "$port" cdpr_kinetostatics demo.launch robot:="$robot" rviz:="$rviz" rviz_config:="$rviz_config" >"$launch_log" 2>&1 &
 launch=$!
 if [ "$rviz" = true ]; then
   echo "RViz is open; close it to end"
@@ -88,6 +90,6 @@ step() {
 }
 step "$repository/scripts/demo_client.py"
 step "$repository/scripts/track_client.py" --plot "$output/error.png" "${point_mass[@]}"
-step "$repository/scripts/demo_picture.sh" "$output/rviz.png"
+step "$repository/scripts/demo_picture.sh" "$rviz_config" "$output/rviz.png"
 echo
 echo "pictures: $output/error.png $output/rviz.png"

@@ -1,12 +1,12 @@
 #!/bin/bash
-# Saves what RViz shows, without a screen.   scripts/demo_picture.sh FILE.png   (called by demo.sh with a master running)
+# Saves what RViz shows, without a screen.   scripts/demo_picture.sh CONFIG.rviz FILE.png   (called by demo.sh with a master running)
 set -euo pipefail
 
-file=$1
-config=$(dirname "${BASH_SOURCE[0]}")/../rviz/kinetostatics.rviz
-if [ "${2:-}" != inside ]; then
+config=$1
+file=$2
+if [ "${3:-}" != inside ]; then
   export LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1
-  exec timeout 60 xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX +render -noreset" "$0" "$file" inside
+  exec timeout 60 xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX +render -noreset" "$0" "$config" "$file" inside
 fi
 log=$(mktemp)
 rviz -d "$config" --fullscreen >"$log" 2>&1 &
@@ -17,7 +17,7 @@ trap 'kill $rviz 2>/dev/null; rm -f "$log"' EXIT
 for _ in $(seq 50); do
   import -window root "$file" 2>/dev/null || true
   colours=$(identify -format %k "$file" 2>/dev/null || echo 0)
-  if [ "$colours" -gt 1500 ] && [ "${before:-0}" -gt 1500 ]; then
+  if [ "$colours" -gt 600 ] && [ "${before:-0}" -gt 600 ]; then
     exit 0
   fi
   before=$colours

@@ -7,7 +7,7 @@ namespace cdpr_kinetostatics {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-Diagnostics::Diagnostics(ros::NodeHandle private_handle, EstimatorLoop& loop, const NodeParameters& parameters)
+Diagnostics::Diagnostics(const ros::NodeHandle& private_handle, EstimatorLoop& loop, const NodeParameters& parameters)
     : loop_(loop),
       is_point_mass_(parameters.robot.type == PlatformType::kPointMass),
       max_age_(parameters.max_age),

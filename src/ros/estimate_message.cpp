@@ -29,7 +29,7 @@ bool isFinite(const KinetostaticState& state) {
 KinetostaticState withoutPose(const RobotDescription& robot) {
   KinetostaticState state;
   state.pose.pose = toMsg(robot.home);
-  for (int i = 0; i < 6; ++i) state.pose.covariance[static_cast<std::size_t>(7 * i)] = kUnknownVariance;
+  for (std::size_t i = 0; i < 6; ++i) state.pose.covariance[7 * i] = kUnknownVariance;
   return state;
 }
 

@@ -11,7 +11,7 @@ namespace cdpr_kinetostatics {
 class Diagnostics {
  public:
   // The loop must outlive the diagnostics.
-  Diagnostics(ros::NodeHandle private_handle, EstimatorLoop& loop, const NodeParameters& parameters);
+  Diagnostics(const ros::NodeHandle& private_handle, EstimatorLoop& loop, const NodeParameters& parameters);
 
  private:
   void input(diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -178,7 +178,7 @@ double tautLength(const CableProperties& cable, double x, double w, double tensi
   const double chord = std::hypot(x, w);
   if (bends(cable, options.model)) {
     CableSolverOptions coarser = options;
-    coarser.model = isInextensible(options.model) ? Model::kCatenaryInextensible : Model::kCatenary;
+    coarser.model = closedFormRung(options.model);
     coarser.profile_points = 0;
     const CableSolution catenary = findLength(cable, x, w, tension, 0.0, coarser);
     if (catenary.status.ok()) return catenary.length;

@@ -32,12 +32,6 @@ Status checkLengths(const RobotDescription& robot, const std::vector<double>& le
   return {Code::kConverged, ""};
 }
 
-// The catenary rung that a bending rung starts from.
-Model startingRung(Model model) {
-  const bool inextensible = model == Model::kCatenaryInextensible || model == Model::kBendingInextensible;
-  return inextensible ? Model::kCatenaryInextensible : Model::kCatenary;
-}
-
 class ForwardSolve {
  public:
   ForwardSolve(const RobotDescription& robot, const ForwardRequest& request, const RobotSolverOptions& options,
@@ -49,8 +43,8 @@ class ForwardSolve {
     start.pose = request_.seed.value_or(robot_.home);
     Status status = roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
-    status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
-                         &start, &iterations_);
+    status = searchBasin(robot_, request_.external_wrench, closedFormRung(options_.model), options_.tolerance,
+                         deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
     status = refine(start);
     if (status.code == Code::kNotConverged && isBending(options_.model)) {

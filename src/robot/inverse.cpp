@@ -98,11 +98,6 @@ class InverseSolve {
   }
 
  private:
-  Model closedFormRung() const {
-    if (!isBending(options_.model)) return options_.model;
-    return isInextensible(options_.model) ? Model::kCatenaryInextensible : Model::kCatenary;
-  }
-
   Status startCables();
   Status bendCables();
   Status iterate(double tolerance);
@@ -132,7 +127,7 @@ class InverseSolve {
 // Every cable at its preferred tension, moved into its limits, on the closed-form rung.
 Status InverseSolve::startCables() {
   CableSolverOptions options;
-  options.model = closedFormRung();
+  options.model = closedFormRung(options_.model);
   options.tolerance = 1e-6;
   options.deadline = deadline_;
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
@@ -239,7 +234,7 @@ TensionDistribution InverseSolve::distribute() {
 bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
   if (isStraight(options_.model)) return false;
   CableSolverOptions options;
-  options.model = closedFormRung();
+  options.model = closedFormRung(options_.model);
   options.tolerance = 1e-6;
   options.deadline = deadline_;
   bool raised = false;
@@ -261,7 +256,7 @@ bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
 bool InverseSolve::pullBackFromFolds() {
   if (isStraight(options_.model)) return false;
   CableSolverOptions options;
-  options.model = closedFormRung();
+  options.model = closedFormRung(options_.model);
   options.tolerance = 1e-6;
   options.deadline = deadline_;
   bool any = false;

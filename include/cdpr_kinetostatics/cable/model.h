@@ -27,6 +27,12 @@ inline bool isInextensible(Model model) {
   return model == Model::kStraight || model == Model::kCatenaryInextensible || model == Model::kBendingInextensible;
 }
 
+// The rung itself if it has a closed form; the catenary that a bending rung starts from.
+inline Model closedFormRung(Model model) {
+  if (!isBending(model)) return model;
+  return isInextensible(model) ? Model::kCatenaryInextensible : Model::kCatenary;
+}
+
 // "straight", ..., "bending": the values of the node's ~model parameter.
 const char* modelName(Model model);
 std::optional<Model> modelFromName(const std::string& name);

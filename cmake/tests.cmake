@@ -1,23 +1,12 @@
 # Unit tests test/<layer>/<name>_test.cpp become the targets <layer>_<name>_test; test/ros/*.test are rostests.
 
-file(GLOB test_support_sources CONFIGURE_DEPENDS test/support/*.cpp)
-if(test_support_sources)
-  add_library(cdpr_test_support STATIC EXCLUDE_FROM_ALL ${test_support_sources})
-  target_include_directories(cdpr_test_support PUBLIC test/support)
-  target_link_libraries(cdpr_test_support cdpr_kinetostatics)
-  cdpr_compile_options(cdpr_test_support)
-endif()
-
 function(cdpr_test_target target)
   target_include_directories(${target} PRIVATE test/support)
   target_compile_definitions(${target} PRIVATE
     SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}"
     ROBOT_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/robots"
     TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/golden")
-  if(TARGET cdpr_test_support)
-    target_link_libraries(${target} cdpr_test_support)
-  endif()
-  target_link_libraries(${target} gtest_main gtest)
+  target_link_libraries(${target} cdpr_test_support gtest_main gtest)
   cdpr_compile_options(${target})
 endfunction()
 

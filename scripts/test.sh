@@ -38,7 +38,7 @@ verdict() {
   [ "$2" -eq 0 ] && [ "$1" -gt 0 ]
 }
 
-our_sources() { (cd "$repository" && find include src test -name '*.h' -o -name '*.cpp' | sort); }
+our_sources() { (cd "$repository" && find include src test benchmark -name '*.h' -o -name '*.cpp' | sort); }
 format() { (cd "$repository" && our_sources | xargs clang-format --dry-run -Werror); }
 tidy() {
   # Each run counts on stderr the warnings that it does not show, those of the system's headers.
@@ -47,7 +47,7 @@ tidy() {
 }
 
 "$repository/scripts/setup.sh"
-if ! build -DCDPR_WARNINGS_AS_ERRORS="$ci" -DCDPR_SANITIZE="$sanitize"; then
+if ! build -DCDPR_WARNINGS_AS_ERRORS="$ci" -DCDPR_SANITIZE="$sanitize" -DCDPR_BUILD_BENCHMARKS=ON; then
   echo "FAILED: build"
   verdict 0 1
 fi

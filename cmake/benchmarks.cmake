@@ -1,0 +1,15 @@
+# Each benchmark/<name>.cpp becomes the executable <name>; benchmark/support/*.cpp is common to them.
+file(GLOB benchmark_support_sources CONFIGURE_DEPENDS benchmark/support/*.cpp)
+add_library(cdpr_benchmark_support STATIC ${benchmark_support_sources})
+target_include_directories(cdpr_benchmark_support PUBLIC benchmark)
+target_link_libraries(cdpr_benchmark_support cdpr_test_support)
+cdpr_compile_options(cdpr_benchmark_support)
+
+file(GLOB benchmark_sources CONFIGURE_DEPENDS benchmark/*.cpp)
+foreach(benchmark_source ${benchmark_sources})
+  get_filename_component(name ${benchmark_source} NAME_WE)
+  add_executable(${name} ${benchmark_source})
+  target_link_libraries(${name} cdpr_benchmark_support)
+  target_compile_definitions(${name} PRIVATE ROBOT_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/robots")
+  cdpr_compile_options(${name})
+endforeach()

@@ -6,9 +6,7 @@
 
 namespace cdpr_kinetostatics {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;

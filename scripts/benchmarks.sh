@@ -1,0 +1,46 @@
+#!/bin/bash
+# Builds and runs the benchmarks of docs/performance.md one after the other, and prints one table of what they measured
+# beside the targets. Fails if a program fails, never by a time.
+#   scripts/benchmarks.sh [--quick] [--out DIR]     DIR: where the CSV files go, default benchmark_results in the workspace
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+quick=()
+out=$workspace/benchmark_results
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --quick) quick=(--quick) ;;
+    --out) out=$2 && shift ;;
+    *) sed -n '2,4s/^# *//p' "$0" >&2 && exit 2 ;;
+  esac
+  shift
+done
+
+if ! build -DCDPR_BUILD_BENCHMARKS=ON >"$workspace/benchmarks_build.log" 2>&1; then
+  tail -n 50 "$workspace/benchmarks_build.log" >&2
+  exit 1
+fi
+programs=$workspace/devel/lib/cdpr_kinetostatics
+mkdir -p "$out"
+rm -f "$out"/*.csv
+
+echo "machine:  $(nproc) x $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"
+echo "compiler: $(c++ --version | head -n 1)"
+echo "commit:   $(git -C "$repository" describe --always --dirty 2>/dev/null || echo unknown)"
+
+failed=0
+# run NAME COMMAND...: one benchmark, which writes NAME.csv.
+run() {
+  local name=$1
+  shift
+  printf '\n--- %s\n' "$name"
+  "$@" "${quick[@]}" --csv "$out/$name.csv" || { echo "FAILED: $name"; failed=1; }
+}
+for source in "$repository"/benchmark/*.cpp; do
+  name=$(basename "$source" .cpp)
+  if grep -q BenchmarkReport "$source"; then run "$name" "$programs/$name"; fi
+done
+
+printf '\n'
+"$repository/scripts/benchmark_table.py" "$out"/*.csv
+exit $failed

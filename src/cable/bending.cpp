@@ -181,7 +181,7 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
       share = next;
       step *= 1.7;
     } else {
-      *shooting = last;
+      shooting->restore(last);
       step *= 0.4;
       if (step < 1e-5) break;
     }
@@ -229,7 +229,7 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
       end += step;
       reach = std::min(kLongestMove * length, 2.0 * reach);
     } else {
-      *shooting = last;
+      shooting->restore(last);
       reach = 0.3 * step.norm();
     }
   }

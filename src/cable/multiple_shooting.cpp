@@ -50,6 +50,7 @@ bool MultipleShooting::integrate(bool adapt) {
     const ShotState start{segment.node.x(), segment.node.y(), 0.0, 0.0};
     const bool shot = adapt ? shootAdaptive(p, t0, t1, start, shot_tolerance_, &segment.grid, &segment.shot)
                             : shootOnGrid(p, t0, start, segment.grid, grid_scale, &segment.shot);
+    work_ += segment.shot.work;
     if (!shot) return false;
     segment.begin_derivative = shotDerivative(p, t0, start);
     segment.end_derivative = shotDerivative(p, t1, segment.shot.end);
@@ -250,6 +251,12 @@ int MultipleShooting::steps() const {
   std::size_t sum = 0;
   for (const Segment& segment : segments_) sum += segment.grid.size();
   return static_cast<int>(sum);
+}
+
+void MultipleShooting::restore(const MultipleShooting& earlier) {
+  const IntegrationWork work = work_;
+  *this = earlier;
+  work_ = work;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -179,6 +179,7 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
   };
 
   Shot shot;
+  IntegrationWork work = work_;
   ShotState state{segments_.front().node.x(), segments_.front().node.y(), 0.0, 0.0};
   for (const Segment& segment : segments_) {
     double t = segment.begin * span;
@@ -204,6 +205,7 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
     for (const double recorded : segment.grid) {
       const double dt = grid_scale * recorded;
       shootOnGrid(p, t, state, {recorded}, grid_scale, &shot);
+      work += shot.work;
       const Local from(p, t, state, chord_angle);
       const Local to(p, t + dt, shot.end, chord_angle);
       stretch +=
@@ -211,6 +213,7 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
       addInterval(t, from, dt, to, [&](double sample) {
         Shot inside;
         shootOnGrid(p, t, state, {sample - t}, 1.0, &inside);
+        work += inside.work;
         return inside.end;
       });
       t += dt;
@@ -226,6 +229,8 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
   solution->sag = sag * reference_length_;
   solution->max_moment = max_moment * reference_moment_;
   solution->max_shear = max_shear * reference_force_;
+  solution->integrator_steps = work.steps;
+  solution->evaluations = work.evaluations;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -96,10 +96,10 @@ std::optional<double> MultipleShooting::startFromAngle(const CableProperties& ca
   ShotState state{angle, 0.0, 0.0, 0.0};
   for (Segment& segment : segments_) {
     segment.node << state.alpha, state.moment;
-    if (!shootAdaptive(parameters(), segment.begin * span, segment.end * span, state, shot_tolerance_, &segment.grid,
-                       &segment.shot)) {
-      return std::nullopt;
-    }
+    const bool shot = shootAdaptive(parameters(), segment.begin * span, segment.end * span, state, shot_tolerance_,
+                                    &segment.grid, &segment.shot);
+    work_ += segment.shot.work;
+    if (!shot) return std::nullopt;
     state = {segment.shot.end.alpha, segment.shot.end.moment, 0.0, 0.0};
   }
   last_node_ << state.alpha, 0.0;

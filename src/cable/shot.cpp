@@ -95,6 +95,9 @@ void step(const ShotParameters& p, double t, double h, const Rows& y, std::array
   *next = stage;
 }
 
+constexpr IntegrationWork kFirstDerivative = {0, 1};
+constexpr IntegrationWork kOneStep = {1, kStages - 1};
+
 bool physical(const Rows& y) { return std::abs(y[kAlpha]) < 100.0 && std::abs(y[kMoment]) < 1e6; }
 
 }  // namespace
@@ -116,6 +119,7 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
   double h = grid->empty() ? 0.5 : grid->front();
   grid->clear();
   shot->turning.clear();
+  shot->work = kFirstDerivative;
   double t = t0;
   for (int i = 0; i < kMaxSteps; ++i) {
     const double left = t1 - t;
@@ -124,6 +128,7 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
     const bool last = h >= left;
     const double dt = last ? left : std::min(h, h > 0.5 * left ? 0.5 * left : h);
     step(p, t, dt, y, &k, &next);
+    shot->work += kOneStep;
     double error_alpha = 0.0;
     double error_moment = 0.0;
     for (int j = 0; j < kStages; ++j) {
@@ -161,10 +166,12 @@ bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, con
   Rows next;
   derivative(p, t0, y, &k[0]);
   shot->turning.clear();
+  shot->work = kFirstDerivative;
   double t = t0;
   for (const double recorded : grid) {
     const double dt = scale * recorded;
     step(p, t, dt, y, &k, &next);
+    shot->work += kOneStep;
     if (!physical(next)) return false;
     y = next;
     t += dt;

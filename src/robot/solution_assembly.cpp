@@ -71,6 +71,7 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
   RobotReport& report = solution->report;
   Wrench total = loadWrench(robot, solution->pose, external);
   report.closure_residual = 0.0;
+  report.integrator_steps = report.evaluations = 0;
   solution->cables.resize(cables.size());
   for (std::size_t i = 0; i < cables.size(); ++i) {
     const CableDescription& description = robot.cables[i];
@@ -84,6 +85,8 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
                                                description.properties.weight * cables[i].length);
     total += wrenchAt(line.arm, result.force_on_platform);
     report.closure_residual = std::max(report.closure_residual, cables[i].closure_residual);
+    report.integrator_steps += cables[i].integrator_steps;
+    report.evaluations += cables[i].evaluations;
     report.model = std::max(report.model, cables[i].model);
     result.profile.clear();
     for (const ProfilePoint& point : cables[i].profile) {

@@ -108,6 +108,9 @@ TEST_P(ShotSensitivity, AShotOnItsOwnGridIsTheSameShot) {
   double sum = c.t0;
   for (const double step : grid) sum += step;
   EXPECT_NEAR(sum, c.t1, 1e-14);
+  EXPECT_EQ(frozen.work.steps, static_cast<int>(grid.size()));
+  EXPECT_GE(adaptive.work.steps, frozen.work.steps);
+  EXPECT_GE(frozen.work.evaluations, 6 * frozen.work.steps);
 }
 
 std::string nameOf(const ::testing::TestParamInfo<ShotCase>& test) { return test.param.name; }

@@ -96,6 +96,10 @@ class MultipleShooting {
   bool hasQuietMiddle() const { return slow_order_ > 0; }
   // Integration steps of one pass.
   int steps() const;
+  // All integration since construction.
+  const IntegrationWork& work() const { return work_; }
+  // Goes back to an earlier state; the work done since stays counted.
+  void restore(const MultipleShooting& earlier);
 
  private:
   // Affine in (1, dh, dv, dl), dimensionless.
@@ -174,6 +178,7 @@ class MultipleShooting {
   double moment_defect_ = 0.0;
   Eigen::Vector2d variation_ = Eigen::Vector2d::Zero();  // of (alpha, moment), from a turn of the end A
   int focal_points_ = 0;
+  IntegrationWork work_;
 };
 
 }  // namespace cdpr_kinetostatics

@@ -33,12 +33,26 @@ struct ShotState {
 // d(alpha, moment, x, w)/dt at t.
 ShotState shotDerivative(const ShotParameters& parameters, double t, const ShotState& state);
 
+// What an integration took: steps tried, those refused by the step control included, and right-hand sides, each
+// with its variational equations.
+struct IntegrationWork {
+  int steps = 0;
+  int evaluations = 0;
+
+  IntegrationWork& operator+=(const IntegrationWork& other) {
+    steps += other.steps;
+    evaluations += other.evaluations;
+    return *this;
+  }
+};
+
 struct Shot {
   ShotState end;
   // d(alpha, moment, x, w)(t1)/d(alpha0, moment0, h, v)
   Eigen::Matrix4d sensitivity = Eigen::Matrix4d::Identity();
   // d(alpha)/d(alpha0, moment0) after each step: where its sign changes, buckling begins.
   std::vector<Eigen::Vector2d> turning;
+  IntegrationWork work;
 };
 
 // Errors of alpha and of the moment that one step may make.

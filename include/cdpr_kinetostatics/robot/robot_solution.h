@@ -28,6 +28,8 @@ struct RobotReport {
   Status status;
   Model model = Model::kDefault;  // finest rung used
   int iterations = 0;
+  int integrator_steps = 0;  // as CableSolution's, of all cables in the answer
+  int evaluations = 0;
   double solve_time = 0.0;        // [s]
   double closure_residual = 0.0;  // largest distance of a cable's end from its attachment [m]
   double force_residual = 0.0;    // norm of the unbalanced force [N]

@@ -1,0 +1,35 @@
+#include "cold_start.h"
+
+#include <cmath>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// Longer than the chord by this factor, a cable takes its forces from its length: they say more than the tension.
+constexpr double kSlack = 1.05;
+
+}  // namespace
+
+RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iterations) {
+  const RobotDescription& robot = measured.robot;
+  RobotForces start;
+  start.pose = seed;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CableLine line = cableLine(robot.cables[i], seed);
+    lengths.push_back(measured.measurements.lengths[i].value_or(std::hypot(line.x, line.w)));
+  }
+  static_cast<void>(roughStart(robot, Wrench::Zero(), lengths, measured.deadline, &start, iterations));
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const std::optional<double>& tension = measured.measurements.tensions[i];
+    if (!tension || *tension == 0.0) continue;
+    const CableLine line = cableLine(robot.cables[i], start.pose);
+    const double chord = std::hypot(line.x, line.w);
+    if (lengths[i] > kSlack * chord) continue;
+    const double weight = robot.cables[i].properties.weight * lengths[i];
+    start.forces[i] = {*tension * line.x / chord, 0.5 * weight - *tension * line.w / chord};
+  }
+  return start;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,88 @@
+#include "estimate_report.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "cdpr_kinetostatics/robot/solution_assembly.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// Directions with a standard deviation beyond this share of the robot's span are not fixed by the data.
+constexpr double kUnobservable = 1.0;
+
+void fillCables(const MeasuredRobot& measured, const Adjusted& adjusted, Estimate* estimate) {
+  const RobotDescription& robot = measured.robot;
+  std::vector<CableSolution> cables;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CableLine line = cableLine(robot.cables[i], adjusted.unknowns.pose);
+    cables.push_back(adjusted.cables[i].describe(line.x, line.w, measured.options.profile_points));
+  }
+  assemble(robot, estimate->load, cables, &estimate->solution);
+}
+
+void fillCovariance(const RobotDescription& robot, const Eigen::MatrixXd& information, Estimate* estimate) {
+  const auto n = static_cast<Eigen::Index>(robot.freedoms());
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(n);  // rotations as displacements of the platform's rim
+  if (n == 6) scale.tail<3>().setConstant(1.0 / std::max(robot.platformRadius(), 1e-6 * robot.span()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * information * scale.asDiagonal());
+  const double least = 1.0 / std::pow(kUnobservable * robot.span(), 2);
+  estimate->covariance = kUnknownVariance * Eigen::Matrix<double, 6, 6>::Identity();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::VectorXd direction = scale.asDiagonal() * eigen.eigenvectors().col(k);
+    const bool fixed = eigen.eigenvalues()(k) > least;
+    if (!fixed) ++estimate->unobservable_directions;
+    const double variance = fixed ? 1.0 / eigen.eigenvalues()(k) : kUnknownVariance / direction.squaredNorm();
+    covariance += variance * direction * direction.transpose();
+  }
+  estimate->covariance.topLeftCorner(n, n) = covariance;
+}
+
+}  // namespace
+
+Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
+  const RobotDescription& robot = measured.robot;
+  Estimate estimate;
+  const Adjusted& adjusted = candidate.adjusted;
+  const RobotForces& at = adjusted.unknowns;
+  estimate.solution.pose = at.pose;
+  estimate.solution.report.status = adjusted.status;
+  Wrench cables = Wrench::Zero();
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CableLine line = cableLine(robot.cables[i], at.pose);
+    cables += wrenchAt(line.arm, forceOnPlatform(line, at.forces[i].horizontal, at.forces[i].vertical,
+                                                 robot.cables[i].properties.weight * at.lengths[i]));
+    const double tension = std::hypot(at.forces[i].horizontal, at.forces[i].vertical);
+    estimate.length_residual.push_back(measured.available.lengths[i] ? *measured.measurements.lengths[i] - at.lengths[i]
+                                                                     : 0.0);
+    estimate.tension_residual.push_back(measured.available.tensions[i] ? *measured.measurements.tensions[i] - tension
+                                                                       : 0.0);
+    estimate.length_outlier.push_back(measured.available.lengths[i] && !candidate.selection.lengths[i]);
+    estimate.tension_outlier.push_back(measured.available.tensions[i] && !candidate.selection.tensions[i]);
+  }
+  estimate.load = -cables - loadWrench(robot, at.pose, Wrench::Zero());
+  if (robot.type == PlatformType::kPointMass) estimate.load.tail<3>().setZero();
+  estimate.length_redundancy.assign(robot.cables.size(), 0.0);
+  estimate.tension_redundancy.assign(robot.cables.size(), 0.0);
+  for (const Observation& o : adjusted.observations) {
+    if (o.kind == Observation::Kind::kLength) estimate.length_redundancy[o.index] = o.redundancy;
+    if (o.kind == Observation::Kind::kTension) estimate.tension_redundancy[o.index] = o.redundancy;
+  }
+  estimate.load_outlier = measured.available.load && !candidate.selection.load;
+  estimate.weighted_squares = adjusted.weighted_squares;
+  estimate.redundancy = adjusted.redundancy;
+  fillCovariance(robot, adjusted.information, &estimate);
+  fillCables(measured, adjusted, &estimate);
+  if (estimate.unobservable_directions > 0) {
+    std::ostringstream text;
+    text << "the measurements leave " << estimate.unobservable_directions
+         << " direction(s) of the pose unknown; they carry a variance of " << kUnknownVariance;
+    estimate.solution.report.status.message = text.str();
+  }
+  return estimate;
+}
+
+}  // namespace cdpr_kinetostatics

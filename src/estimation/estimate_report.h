@@ -1,0 +1,10 @@
+// From an adjustment to what users get: pose with covariance, load, cables, residuals, faults.
+#pragma once
+
+#include "measured_robot.h"
+
+namespace cdpr_kinetostatics {
+
+Estimate report(const MeasuredRobot& measured, const Candidate& candidate);
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,31 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "cdpr_kinetostatics/estimation/pose_estimator.h"
+
+namespace cdpr_kinetostatics {
+
+Wrench EstimatorOptions::defaultLoadStddev(const RobotDescription& robot) {
+  Wrench stddev;
+  stddev << Eigen::Vector3d::Constant(0.01 * robot.weight()),
+      Eigen::Vector3d::Constant(0.01 * robot.weight() * std::max(robot.platformRadius(), 1e-6 * robot.span()));
+  return stddev;
+}
+
+bool EstimatorOptions::isValid(std::string* error) const {
+  std::ostringstream text;
+  if (!(length_stddev > 0.0 && std::isfinite(length_stddev))) {
+    text << "length_stddev = " << length_stddev << " m must be positive";
+  } else if (!(tension_stddev > 0.0 && std::isfinite(tension_stddev))) {
+    text << "tension_stddev = " << tension_stddev << " N must be positive";
+  } else if (!load_stddev.allFinite() || load_stddev.minCoeff() <= 0.0) {
+    text << "load_stddev must be six positive numbers";
+  } else if (!(outlier_threshold > 0.0)) {
+    text << "outlier_threshold = " << outlier_threshold << " must be positive";
+  }
+  *error = text.str();
+  return error->empty();
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,115 @@
+#include "fault_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// An error that shows in its own residual by less than this share cannot be told from others.
+constexpr double kTestable = 0.01;
+
+// So many of the worst measurements are left out in turn to find the faulty one.
+constexpr std::size_t kSuspects = 16;
+
+// A measurement that jumps this many times farther than most others since the last estimate is not trusted at first.
+constexpr double kJump = 10.0;
+
+// Observations whose residual exceeds the threshold in units of its own standard deviation, worst first.
+std::vector<Observation> suspects(const std::vector<Observation>& observations, double threshold) {
+  const auto statistic = [](const Observation& o) { return std::abs(o.residual) / std::sqrt(o.redundancy); };
+  std::vector<Observation> found;
+  for (const Observation& o : observations) {
+    if (o.redundancy >= kTestable && statistic(o) > threshold) found.push_back(o);
+  }
+  std::sort(found.begin(), found.end(),
+            [&](const Observation& l, const Observation& r) { return statistic(l) > statistic(r); });
+  return found;
+}
+
+void leaveOut(const Observation& observation, Selection* selection) {
+  switch (observation.kind) {
+    case Observation::Kind::kLength:
+      selection->lengths[observation.index] = false;
+      break;
+    case Observation::Kind::kTension:
+      selection->tensions[observation.index] = false;
+      break;
+    case Observation::Kind::kLoad:
+      selection->load(static_cast<Eigen::Index>(observation.index)) = false;
+      break;
+  }
+}
+
+// Largest jump that passes, with the median of all jumps as a measure of how far the platform has moved.
+double jumpLimit(std::vector<double> jumps, double stddev, double threshold) {
+  std::nth_element(jumps.begin(), jumps.begin() + jumps.size() / 2, jumps.end());
+  return kJump * std::max(jumps[jumps.size() / 2], stddev) + threshold * stddev;
+}
+
+}  // namespace
+
+Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
+  Candidate candidate = adjust(measured, start, selection);
+  while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0) {
+    std::vector<Observation> worst = suspects(candidate.adjusted.observations, measured.options.outlier_threshold);
+    if (worst.empty()) break;
+    if (worst.size() > kSuspects) worst.erase(worst.begin() + kSuspects, worst.end());
+    std::optional<Candidate> best;
+    for (const Observation& suspect : worst) {
+      Selection without = candidate.selection;
+      leaveOut(suspect, &without);
+      Candidate trial = adjust(measured, start, without);
+      if (!trial.adjusted.status.ok()) continue;
+      if (!best || trial.adjusted.weighted_squares < best->adjusted.weighted_squares) best = std::move(trial);
+    }
+    if (!best) break;
+    candidate = std::move(*best);
+  }
+  return candidate;
+}
+
+void leaveOutJumps(const MeasuredRobot& measured, const RobotForces& last, Selection* selection) {
+  const EstimatorOptions& options = measured.options;
+  std::vector<double> lengths, tensions;
+  for (std::size_t i = 0; i < measured.robot.cables.size(); ++i) {
+    const double tension = std::hypot(last.forces[i].horizontal, last.forces[i].vertical);
+    lengths.push_back(measured.available.lengths[i] ? std::abs(*measured.measurements.lengths[i] - last.lengths[i])
+                                                    : 0.0);
+    tensions.push_back(measured.available.tensions[i] ? std::abs(*measured.measurements.tensions[i] - tension) : 0.0);
+  }
+  const double length_limit = jumpLimit(lengths, options.length_stddev, options.outlier_threshold);
+  const double tension_limit = jumpLimit(tensions, options.tension_stddev, options.outlier_threshold);
+  for (std::size_t i = 0; i < measured.robot.cables.size(); ++i) {
+    if (lengths[i] > length_limit) selection->lengths[i] = false;
+    if (tensions[i] > tension_limit) selection->tensions[i] = false;
+  }
+}
+
+void takeBack(const MeasuredRobot& measured, const RobotForces& start, Candidate* candidate) {
+  const double threshold = measured.options.outlier_threshold;
+  const auto attempt = [&](const Selection& with) {
+    Candidate trial = adjust(measured, start, with);
+    if (trial.adjusted.status.ok() &&
+        trial.adjusted.weighted_squares < candidate->adjusted.weighted_squares + threshold * threshold &&
+        suspects(trial.adjusted.observations, threshold).empty()) {
+      *candidate = std::move(trial);
+    }
+  };
+  for (std::size_t i = 0; i < measured.robot.cables.size(); ++i) {
+    Selection with = candidate->selection;
+    with.lengths[i] = measured.available.lengths[i];
+    if (with.lengths[i] != candidate->selection.lengths[i]) attempt(with);
+    with = candidate->selection;
+    with.tensions[i] = measured.available.tensions[i];
+    if (with.tensions[i] != candidate->selection.tensions[i]) attempt(with);
+  }
+}
+
+bool isGood(const Adjusted& adjusted, double threshold) {
+  return adjusted.status.ok() && adjusted.weighted_squares < threshold * threshold * std::max(adjusted.redundancy, 1);
+}
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,29 @@
+// One message's measurements with all that their adjustment needs.
+#pragma once
+
+#include <chrono>
+
+#include "cdpr_kinetostatics/estimation/adjustment.h"
+
+namespace cdpr_kinetostatics {
+
+struct MeasuredRobot {
+  const RobotDescription& robot;
+  const EstimatorOptions& options;
+  const CableMeasurements& measurements;
+  const std::chrono::steady_clock::time_point deadline;
+  const Selection available;  // all that was measured or is known
+};
+
+// An adjustment and what took part in it.
+struct Candidate {
+  Adjusted adjusted;
+  Selection selection;
+};
+
+inline Candidate adjust(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
+  return {adjust(measured.robot, measured.options, measured.measurements, selection, start, measured.deadline),
+          selection};
+}
+
+}  // namespace cdpr_kinetostatics

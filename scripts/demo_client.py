@@ -4,9 +4,7 @@
 import argparse
 import math
 import sys
-import time
 
-import rosgraph
 import rospy
 from geometry_msgs.msg import Point, Pose, Quaternion
 from cdpr_kinetostatics.msg import CableState, SolveReport, SolverOptions
@@ -107,9 +105,6 @@ def main():
     parser.add_argument("--node", default="/kinetostatics", help="name of the node")
     parser.add_argument("--wait", type=float, default=30.0, help="how long to wait for the node [s]")
     arguments = parser.parse_args(rospy.myargv()[1:])
-    deadline = time.monotonic() + arguments.wait
-    while not rosgraph.is_master_online() and time.monotonic() < deadline:
-        time.sleep(0.05)
     rospy.init_node("demo_client", anonymous=True, disable_signals=True)
     try:
         rospy.wait_for_service(f"{arguments.node}/forward_kinetostatics", timeout=arguments.wait)

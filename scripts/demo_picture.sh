@@ -13,7 +13,8 @@ rviz -d "$config" --fullscreen >"$log" 2>&1 &
 rviz=$!
 trap 'kill $rviz 2>/dev/null; rm -f "$log"' EXIT
 
-# Done when two pictures in a row show more than a few colours: RViz paints its frame first, then what it hears.
+# Asks every half second, 50 times at most. Done when two pictures in a row show more than a few colours: RViz paints its
+# frame first, then what it hears.
 for _ in $(seq 50); do
   import -window root "$file" 2>/dev/null || true
   colours=$(identify -format %k "$file" 2>/dev/null || echo 0)

@@ -5,6 +5,7 @@ import argparse
 import io
 import sys
 import threading
+import time
 
 import rosbag
 import rospy
@@ -35,6 +36,15 @@ class Collector:
             return self.messages[:count]
 
 
+def wait_for_connection(topic):
+    """rospy tells nobody when a subscriber connects: asks until it has, or the limit passes."""
+    deadline = time.monotonic() + LIMIT
+    while topic.get_num_connections() == 0:
+        if time.monotonic() > deadline:
+            sys.exit(f"FAILED: {topic.resolved_name} has no other end within {LIMIT:.0f} s")
+        time.sleep(0.01)
+
+
 def essence(state):
     """Pose, covariance, load and cables to the last bit; not the times that solves took."""
     state.header.seq = 0
@@ -55,8 +65,8 @@ def record(path, count):
 
 def play(publisher, messages):
     collector = Collector("kinetostatic_state", KinetostaticState)
-    while collector.subscriber.get_num_connections() == 0 or publisher.get_num_connections() == 0:
-        rospy.sleep(0.01)
+    wait_for_connection(collector.subscriber)
+    wait_for_connection(publisher)
     for message in messages:
         publisher.publish(message)
     states = collector.wait(len(messages))

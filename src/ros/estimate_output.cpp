@@ -23,12 +23,15 @@ bool EstimateOutput::markersAreDue(const ros::Time& stamp) {
 }
 
 void EstimateOutput::publish(const KinetostaticState& state) {
+  // The pose first: it is what controllers wait for, and the state takes longest.
+  const bool converged = state.report.code == SolveReport::CONVERGED;
+  if (converged) {
+    pose_.publish(poseOf(state));
+    load_.publish(loadOf(state));
+    if (parameters_.publish_tf) broadcaster_.sendTransform(transformOf(state, parameters_.platform_frame));
+  }
   state_.publish(state);
-  if (state.report.code != SolveReport::CONVERGED) return;
-  pose_.publish(poseOf(state));
-  load_.publish(loadOf(state));
-  if (parameters_.publish_tf) broadcaster_.sendTransform(transformOf(state, parameters_.platform_frame));
-  if (markersAreDue(state.header.stamp)) markers_.publish(cableMarkers(parameters_.robot, state));
+  if (converged && markersAreDue(state.header.stamp)) markers_.publish(cableMarkers(parameters_.robot, state));
 }
 
 }  // namespace cdpr_kinetostatics

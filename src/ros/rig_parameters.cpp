@@ -115,6 +115,7 @@ LoadedRigParameters loadRigParameters(const XmlRpc::XmlRpcValue& private_paramet
           [&](ParameterReader& entry) { parameters.loads.push_back(readLoad(entry)); });
   std::stable_sort(parameters.loads.begin(), parameters.loads.end(),
                    [](const RigLoad& a, const RigLoad& b) { return a.time < b.time; });
+  parameters.load_noise = reader.number("load_noise", 0.0, 0.0, 1e3, " of the weight");
   for (const std::string& warning : reader.ignored()) loaded.warnings.push_back(warning);
   return loaded;
 }

@@ -19,14 +19,14 @@ RigMeasurements::RigMeasurements(const RobotDescription& robot, const RigSensors
       random_(static_cast<std::uint64_t>(sensors.seed)),
       stuck_(sensors.faults.size()) {}
 
-std::optional<sensor_msgs::JointState> RigMeasurements::measure(const std::vector<CableResult>& truth, double time) {
+std::optional<sensor_msgs::JointState> RigMeasurements::measure(const RigTruth& truth, double time) {
   // A fixed number of draws each time: switching one fault on leaves the other numbers as they were.
   std::normal_distribution<double> normal;
   sensor_msgs::JointState message;
   const bool lost = std::uniform_real_distribution<double>()(random_) < sensors_.dropout;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double length = truth[i].cable.length + sensors_.length_bias + sensors_.length_noise * normal(random_);
-    const double tension = truth[i].cable.tension_a + sensors_.tension_bias + sensors_.tension_noise * normal(random_);
+  for (std::size_t i = 0; i < truth.lengths.size(); ++i) {
+    const double length = truth.lengths[i] + sensors_.length_bias + sensors_.length_noise * normal(random_);
+    const double tension = truth.tensions[i] + sensors_.tension_bias + sensors_.tension_noise * normal(random_);
     message.name.push_back(robot_.cables[i].name);
     message.position.push_back(rounded(length, sensors_.length_resolution));
     if (sensors_.tensions) message.effort.push_back(rounded(tension, sensors_.tension_resolution));

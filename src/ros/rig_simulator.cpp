@@ -5,12 +5,13 @@
 #include <ros/rate.h>
 #include <sensor_msgs/JointState.h>
 
+#include <cmath>
 #include <stdexcept>
 
-#include "cdpr_kinetostatics/robot/inverse.h"
 #include "cdpr_kinetostatics/ros/conversions.h"
 #include "cdpr_kinetostatics/ros/markers.h"
 #include "cdpr_kinetostatics/ros/request_checks.h"
+#include "cdpr_kinetostatics/ros/rig_load.h"
 #include "cdpr_kinetostatics/ros/text.h"
 
 namespace cdpr_kinetostatics {
@@ -36,6 +37,7 @@ visualization_msgs::InteractiveMarkerControl control(const Eigen::Vector3d& axis
 RigSimulator::RigSimulator(ros::NodeHandle handle, ros::NodeHandle private_handle, const RigParameters& parameters)
     : parameters_(parameters),
       path_(choosePath()),
+      lap_(stepsOfLap()),
       measurements_(parameters.robot, parameters.sensors),
       pose_(parameters.robot.home),
       target_(parameters.robot.home) {
@@ -50,32 +52,12 @@ RigSimulator::RigSimulator(ros::NodeHandle handle, ros::NodeHandle private_handl
   }
 }
 
-RobotSolution RigSimulator::solve(const Pose& pose, const Wrench& load, Model model) const {
-  const RobotDescription& robot = parameters_.robot;
-  InverseRequest request;
-  request.pose = pose;
-  request.free_orientation = robot.type == PlatformType::kRigidBody && robot.cables.size() < 6;
-  request.external_wrench = load;
-  RobotSolverOptions options;
-  options.model = model;
-  options.tolerance = parameters_.tolerance;
-  options.timeout = std::chrono::duration<double>(5.0);
-  return solveInverse(robot, request, options);
-}
-
-Wrench RigSimulator::loadAt(double time) const {
-  Wrench load = Wrench::Zero();
-  for (const RigLoad& step : parameters_.loads) {
-    if (step.time <= time) load = step.wrench;
-  }
-  return load;
-}
-
 bool RigSimulator::canBeHeld(const FixedPath& path) const {
   constexpr int kPoses = 16;
   for (int k = 0; k < kPoses; ++k) {
-    const RobotSolution solution = solve(path.at(path.duration() * k / kPoses), Wrench::Zero(), Model::kCatenary);
-    if (!solution.report.status.ok()) return false;
+    RigTruth truth;
+    const Pose pose = path.at(path.duration() * k / kPoses);
+    if (!solveRig(parameters_, pose, Wrench::Zero(), Model::kCatenary, &truth).ok()) return false;
   }
   return true;
 }
@@ -132,35 +114,59 @@ void RigSimulator::offerTargetMarker() {
   target_marker_->applyChanges();
 }
 
-Pose RigSimulator::wantedPose(double time) {
-  if (parameters_.path.kind != RigPath::Kind::kTarget) return path_.at(time);
+// 0 if a lap is not a whole number of steps, or too long to be remembered.
+std::size_t RigSimulator::stepsOfLap() const {
+  constexpr double kMost = 100000;
+  const double steps = path_.duration() * parameters_.rate;
+  const bool whole = std::abs(steps - std::round(steps)) < 1e-9 * steps;
+  const bool fixed = parameters_.path.kind != RigPath::Kind::kTarget;
+  return fixed && whole && steps < kMost ? static_cast<std::size_t>(std::round(steps)) : 0;
+}
+
+Pose RigSimulator::wantedPose(std::uint64_t step) const {
+  if (parameters_.path.kind != RigPath::Kind::kTarget) return path_.at(static_cast<double>(step) / parameters_.rate);
   return stepTowards(pose_, target_, parameters_.path.speed, 1.0 / parameters_.rate);
 }
 
-void RigSimulator::step(double time) {
-  const Pose wanted = wantedPose(time);
-  RobotSolution truth = solve(wanted, loadAt(time), parameters_.model);
-  if (truth.report.status.ok()) {
+std::optional<RigTruth> RigSimulator::truthAt(std::uint64_t step) {
+  const Wrench load = rigLoad(parameters_, static_cast<double>(step) / parameters_.rate);
+  const Pose wanted = wantedPose(step);
+  if (const RigTruth* known = lap_.find(step, load)) {
     pose_ = wanted;
-  } else {
-    ROS_WARN_STREAM_THROTTLE(5.0, "the platform stays where it is: " << truth.report.status.message);
-    truth = solve(pose_, loadAt(time), parameters_.model);
-    if (!truth.report.status.ok()) return;
+    return *known;
   }
+  RigTruth truth;
+  const Status status = solveRig(parameters_, wanted, load, parameters_.model, &truth);
+  if (status.ok()) {
+    pose_ = wanted;
+    lap_.remember(step, load, truth);
+    return truth;
+  }
+  ROS_WARN_STREAM_THROTTLE(5.0, "the platform stays where it is: " << status.message);
+  if (solveRig(parameters_, pose_, load, parameters_.model, &truth).ok()) return truth;
+  return std::nullopt;
+}
+
+void RigSimulator::showPlatform(const geometry_msgs::PoseStamped& pose) const {
+  if (true_platform_.getNumSubscribers() == 0) return;
+  visualization_msgs::Marker platform = platformMarker(parameters_.robot, pose.header, pose.pose);
+  platform.color = rgba(0.2, 0.9, 0.3, 0.35);
+  platform.scale.x *= kTruthScale;
+  platform.scale.y *= kTruthScale;
+  platform.scale.z *= kTruthScale;
+  true_platform_.publish(platform);
+}
+
+void RigSimulator::step(std::uint64_t step) {
+  const std::optional<RigTruth> truth = truthAt(step);
+  if (!truth) return;
   geometry_msgs::PoseStamped pose;
   pose.header.stamp = ros::Time::now();
   pose.header.frame_id = parameters_.base_frame;
-  pose.pose = toMsg(truth.pose);
+  pose.pose = toMsg(truth->pose);
   true_pose_.publish(pose);
-  if (true_platform_.getNumSubscribers() > 0) {
-    visualization_msgs::Marker platform = platformMarker(parameters_.robot, pose.header, pose.pose);
-    platform.color = rgba(0.2, 0.9, 0.3, 0.35);
-    platform.scale.x *= kTruthScale;
-    platform.scale.y *= kTruthScale;
-    platform.scale.z *= kTruthScale;
-    true_platform_.publish(platform);
-  }
-  if (auto message = measurements_.measure(truth.cables, time)) {
+  showPlatform(pose);
+  if (auto message = measurements_.measure(*truth, static_cast<double>(step) / parameters_.rate)) {
     message->header = pose.header;
     cable_states_.publish(*message);
   }
@@ -169,7 +175,7 @@ void RigSimulator::step(double time) {
 void RigSimulator::run() {
   ros::Rate rate(parameters_.rate);
   for (std::uint64_t n = 0; ros::ok(); ++n) {
-    step(static_cast<double>(n) / parameters_.rate);
+    step(n);
     ros::spinOnce();
     rate.sleep();
   }

@@ -26,7 +26,7 @@ struct NodeParameters {
   // is that of the services.
   EstimatorOptions estimator;
   double max_age = 0.5;                     // ~max_age, of a measurement when it arrives [s]
-  int queue_size = 1;                       // ~queue_size, measurements that may wait for the estimator
+  int queue_size = 10;                      // ~queue_size, measurements that may wait for the estimator
   std::string base_frame = "world";         // ~base_frame
   std::string platform_frame = "platform";  // ~platform_frame
   bool publish_tf = true;                   // ~publish_tf

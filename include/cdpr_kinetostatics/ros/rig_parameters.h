@@ -59,6 +59,7 @@ struct RigParameters {
   RigPath path;
   RigSensors sensors;
   std::vector<RigLoad> loads;  // in the order of time
+  double load_noise = 0.0;     // standard deviation of a drawn load [weight; weight times platform's radius]
 };
 
 struct LoadedRigParameters {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/robot_description.h"
-#include "cdpr_kinetostatics/robot/robot_solution.h"
 #include "cdpr_kinetostatics/ros/rig_parameters.h"
+#include "cdpr_kinetostatics/ros/rig_truth.h"
 
 namespace cdpr_kinetostatics {
 
@@ -19,7 +19,7 @@ class RigMeasurements {
   RigMeasurements(const RobotDescription& robot, const RigSensors& sensors);
 
   // The message without its stamp; nothing if it drops out. NaN stands for what a faulty sensor does not give.
-  std::optional<sensor_msgs::JointState> measure(const std::vector<CableResult>& truth, double time);
+  std::optional<sensor_msgs::JointState> measure(const RigTruth& truth, double time);
 
  private:
   void applyFaults(double time, sensor_msgs::JointState* message);

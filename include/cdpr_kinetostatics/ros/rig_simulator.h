@@ -13,10 +13,10 @@
 #include <memory>
 #include <optional>
 
-#include "cdpr_kinetostatics/robot/robot_solution.h"
 #include "cdpr_kinetostatics/ros/rig_parameters.h"
 #include "cdpr_kinetostatics/ros/rig_path.h"
 #include "cdpr_kinetostatics/ros/rig_sensors.h"
+#include "cdpr_kinetostatics/ros/rig_truth.h"
 
 namespace cdpr_kinetostatics {
 
@@ -29,17 +29,19 @@ class RigSimulator {
   void run();
 
  private:
-  RobotSolution solve(const Pose& pose, const Wrench& load, Model model) const;
-  Wrench loadAt(double time) const;
   bool canBeHeld(const FixedPath& path) const;
   FixedPath choosePath() const;
-  Pose wantedPose(double time);
+  std::size_t stepsOfLap() const;
+  Pose wantedPose(std::uint64_t step) const;
+  std::optional<RigTruth> truthAt(std::uint64_t step);
   void setTarget(const geometry_msgs::PoseStamped& target);
   void offerTargetMarker();
-  void step(double time);
+  void showPlatform(const geometry_msgs::PoseStamped& pose) const;
+  void step(std::uint64_t step);
 
   const RigParameters& parameters_;
   FixedPath path_;
+  RigLap lap_;
   RigMeasurements measurements_;
   Pose pose_;    // where the platform was last
   Pose target_;  // with the path `target`

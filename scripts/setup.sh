@@ -9,6 +9,8 @@ packages=(
   g++ make cmake libceres-dev libeigen3-dev libyaml-cpp-dev libgtest-dev
   # pictures of scripts/demo.sh
   imagemagick libgl1-mesa-dri python3-matplotlib python3-numpy xauth xvfb
+  # comparisons of scripts/benchmarks.sh
+  libsundials-dev python3-scipy
   # checks of scripts/test.sh
   clang-format clang-tidy
 )

@@ -10,7 +10,7 @@ function(cdpr_test_target target)
   cdpr_compile_options(${target})
 endfunction()
 
-foreach(layer cable residuals robot estimation ros)
+foreach(layer cable residuals robot estimation ros tradeoff)
   file(GLOB test_sources CONFIGURE_DEPENDS test/${layer}/*_test.cpp)
   foreach(test_source ${test_sources})
     get_filename_component(name ${test_source} NAME_WE)
@@ -24,6 +24,10 @@ foreach(layer cable residuals robot estimation ros)
     cdpr_test_target(${target})
   endforeach()
 endforeach()
+
+add_dependencies(tradeoff_command_test tradeoff)
+target_compile_definitions(tradeoff_command_test PRIVATE TRADEOFF_EXECUTABLE="$<TARGET_FILE:tradeoff>")
+target_link_libraries(tradeoff_command_test nlohmann_json::nlohmann_json)
 
 # test/ros/<name>.test runs the executable of test/ros/<name>_rostest.cpp.
 foreach(name services bad_requests node_start estimator tracking)

@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 packages=(
   # compiler and libraries
-  g++ make cmake libceres-dev libeigen3-dev libyaml-cpp-dev libgtest-dev
+  g++ make cmake libboost-program-options-dev libceres-dev libeigen3-dev libgtest-dev libyaml-cpp-dev nlohmann-json3-dev
   # pictures of scripts/demo.sh
   imagemagick libgl1-mesa-dri python3-matplotlib python3-numpy xauth xvfb
   # comparisons of scripts/benchmarks.sh

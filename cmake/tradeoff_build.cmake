@@ -1,0 +1,7 @@
+# Run at every build: writes OUTPUT with the commit that SOURCE_DIR is at, if that has changed.
+execute_process(COMMAND git -C "${SOURCE_DIR}" describe --always --dirty --abbrev=10
+  OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT COMMIT)
+  set(COMMIT unknown)
+endif()
+configure_file("${SOURCE_DIR}/src/tradeoff/tradeoff_build.h.in" "${OUTPUT}" @ONLY)

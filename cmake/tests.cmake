@@ -30,10 +30,11 @@ target_compile_definitions(tradeoff_command_test PRIVATE TRADEOFF_EXECUTABLE="$<
 target_link_libraries(tradeoff_command_test nlohmann_json::nlohmann_json)
 
 # test/ros/<name>.test runs the executable of test/ros/<name>_rostest.cpp.
-foreach(name services bad_requests node_start estimator tracking)
+foreach(name services bad_requests node_start estimator tracking rig_faults rig_paths master_restart)
   add_rostest_gtest(${name}_rostest test/ros/${name}.test test/ros/${name}_rostest.cpp)
   target_link_libraries(${name}_rostest cdpr_kinetostatics_ros)
-  target_compile_definitions(${name}_rostest PRIVATE NODE_EXECUTABLE="$<TARGET_FILE:kinetostatics_node>")
+  target_compile_definitions(${name}_rostest PRIVATE NODE_EXECUTABLE="$<TARGET_FILE:kinetostatics_node>"
+    RIG_EXECUTABLE="$<TARGET_FILE:rig_simulator>")
   add_dependencies(${name}_rostest kinetostatics_node rig_simulator)
   cdpr_test_target(${name}_rostest)
 endforeach()

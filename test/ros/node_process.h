@@ -8,12 +8,18 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <vector>
 
 namespace cdpr_kinetostatics {
 
 class NodeProcess {
  public:
-  explicit NodeProcess(const std::string& name) {
+  explicit NodeProcess(const std::string& name) : NodeProcess(NODE_EXECUTABLE, {"__name:=" + name}) {}
+
+  NodeProcess(const std::string& executable, const std::vector<std::string>& arguments) {
+    std::vector<char*> words{const_cast<char*>(executable.c_str())};
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
     int ends[2];
     if (pipe(ends) != 0) return;
     pid_ = fork();
@@ -22,8 +28,7 @@ class NodeProcess {
       dup2(ends[1], STDERR_FILENO);
       close(ends[0]);
       close(ends[1]);
-      const std::string remapping = "__name:=" + name;
-      execl(NODE_EXECUTABLE, NODE_EXECUTABLE, remapping.c_str(), static_cast<char*>(nullptr));
+      execv(executable.c_str(), words.data());
       _exit(127);
     }
     close(ends[1]);

@@ -11,11 +11,13 @@ namespace {
 
 constexpr double kSameTime = 1.25;
 
-// The least error that a rung made, at whatever tolerance.
-std::optional<Choice> bestOf(const std::vector<Choice>& choices, Model model) {
+// The most exact setting of the rungs below the model that are not good enough.
+std::optional<Choice> bestCoarser(const std::vector<Choice>& choices, Model model, double accuracy) {
   std::optional<Choice> best;
   for (const Choice& choice : choices) {
-    if (choice.setting.model == model && (!best || choice.error < best->error)) best = choice;
+    const Model other = choice.setting.model;
+    if (other == Model::kAuto || other >= model || choice.error <= accuracy) continue;
+    if (!best || choice.error < best->error) best = choice;
   }
   return best;
 }
@@ -66,11 +68,8 @@ std::string recommendation(const RobotTrade& trade, double accuracy) {
   }
   text << "use " << modelName(choice->setting.model) << ", tolerance " << choice->setting.tolerance << ": "
        << asLength(choice->error) << " neglected, " << asTime(choice->time);
-  for (int model = static_cast<int>(choice->setting.model) - 1; model >= static_cast<int>(Model::kStraight); --model) {
-    const std::optional<Choice> coarser = bestOf(choices, static_cast<Model>(model));
-    if (!coarser || coarser->error <= accuracy) continue;
+  if (const std::optional<Choice> coarser = bestCoarser(choices, choice->setting.model, accuracy)) {
     text << "; " << modelName(coarser->setting.model) << " would err by " << asLength(coarser->error);
-    break;
   }
   const auto bends = [](const Choice& other) { return other.setting.model == Model::kBending; };
   if (!bends(*choice)) {

@@ -26,7 +26,7 @@ std::vector<Choice> choicesOf(const RobotTrade& trade);
 // The fastest rung and tolerance within the accuracy [m]; AUTO is not asked. Empty if there is none.
 std::optional<Choice> fastestWithin(const std::vector<Choice>& choices, double accuracy);
 
-// "For 0.1 mm at the platform: catenary ...", what it neglects and takes, and what the next coarser rung would miss.
+// "For 0.1 mm at the platform: catenary ...", what it neglects and takes, and what a coarser rung would miss at best.
 std::string recommendation(const RobotTrade& trade, double accuracy);
 
 }  // namespace cdpr_kinetostatics

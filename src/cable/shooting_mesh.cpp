@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "cdpr_kinetostatics/cable/catenary.h"
 #include "cdpr_kinetostatics/cable/multiple_shooting.h"
@@ -27,6 +28,9 @@ constexpr double kShortLayer = 0.8;
 
 // Share of the tolerance that one integration step may use up.
 constexpr double kStepShare = 0.1;
+
+// Integration steps that a segment has room for at once.
+constexpr std::size_t kUsualSteps = 64;
 
 // cosh(a)/sinh(b) and sinh(a)/sinh(b) for 0 <= a <= b, without overflow.
 double coshOverSinh(double a, double b) { return (std::exp(a - b) + std::exp(-a - b)) / -std::expm1(-2.0 * b); }
@@ -111,6 +115,23 @@ void MultipleShooting::placeSegments(Middle middle) {
   if (middle == Middle::kShot || !placeAroundMiddle()) placeEverywhere();
 }
 
+// Segments that fall away are kept with their buffers, so that a mesh that changes takes nothing from the heap.
+void MultipleShooting::setSegmentCount(std::size_t count) {
+  while (segments_.size() > count) {
+    spare_segments_.push_back(std::move(segments_.back()));
+    segments_.pop_back();
+  }
+  while (segments_.size() < count) {
+    if (spare_segments_.empty()) {
+      Segment& segment = spare_segments_.emplace_back();
+      segment.grid.reserve(kUsualSteps);
+      segment.shot.turning.reserve(kUsualSteps);
+    }
+    segments_.push_back(std::move(spare_segments_.back()));
+    spare_segments_.pop_back();
+  }
+}
+
 bool MultipleShooting::placeAroundMiddle() {
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
@@ -141,7 +162,7 @@ bool MultipleShooting::placeAroundMiddle() {
   if (order == 0) return false;
 
   slow_order_ = order;
-  segments_.resize(a.count + 1 + b.count);
+  setSegmentCount(a.count + 1 + b.count);
   const auto place = [&](int k, double from, double to, bool quiet) {
     segments_[k].quiet = quiet;
     segments_[k].begin = from / span;
@@ -169,7 +190,7 @@ void MultipleShooting::placeEverywhere() {
                std::abs(catenaryAngle(cable_, h, force_.y(), i * ds) - angle_a) / kAnglePerSegment;
   }
   const int count = static_cast<int>(std::clamp(std::ceil(share[kSamples]), 1.0, kMaxSegments + 1.0));
-  segments_.resize(count);
+  setSegmentCount(count);
   int sample = 1;
   double begin = 0.0;
   for (int k = 0; k < count; ++k) {

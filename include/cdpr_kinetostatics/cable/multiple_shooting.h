@@ -133,6 +133,7 @@ class MultipleShooting {
 
   // Segments and their first nodes (shooting_mesh.cpp).
   void placeSegments(Middle middle);
+  void setSegmentCount(std::size_t count);
   bool placeAroundMiddle();
   void placeEverywhere();
   void startNodes();
@@ -167,7 +168,7 @@ class MultipleShooting {
   double reference_length_ = 1.0;                    // l0 [m]
   double reference_moment_ = 1.0;                    // F0 l0 [N m]
   ShotTolerance shot_tolerance_;
-  std::vector<Segment> segments_;
+  std::vector<Segment> segments_, spare_segments_;
   int slow_order_ = 0;               // of the middle; 0: none
   SlowState slow_begin_, slow_end_;  // of the middle
   SlowStretch slow_stretch_;

@@ -21,6 +21,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib import patheffects
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 FIGURES = (
@@ -75,6 +76,18 @@ def front_of(points):
     return front
 
 
+def automatic_groups(robot, problem):
+    """AUTO's points and their accuracies; accuracies that lead to the same error share the fastest point."""
+    groups = []
+    for time, error, accuracy in points_of(robot, problem, "auto"):
+        if groups and 0.7 < error / groups[-1][0][1] < 1.4:
+            (fastest, same), accuracies = groups[-1]
+            groups[-1] = ((min(time, fastest), same), accuracies + [accuracy])
+        else:
+            groups.append(((time, error), [accuracy]))
+    return groups
+
+
 def draw_panel(axes, robot, problem):
     every = [p for model in RUNGS for p in points_of(robot, problem, model)]
     front = front_of(every)
@@ -87,12 +100,13 @@ def draw_panel(axes, robot, problem):
             fill = "white" if model.endswith("_inextensible") else color
             axes.plot(*list(zip(*points))[:2], marker=marker, markersize=6, color=color, markerfacecolor=fill,
                       linewidth=0.8, zorder=2)
-    automatic = points_of(robot, problem, "auto")
-    for time, error, accuracy in automatic:
-        axes.plot(time, error, marker=AUTO[1], markersize=10, color=AUTO[2], markeredgecolor="black",
+    for (time, error), accuracies in automatic_groups(robot, problem):
+        axes.plot(time, error, marker=AUTO[1], markersize=11, color=AUTO[2], markeredgecolor="black",
                   markeredgewidth=0.5, linestyle="none", zorder=3)
-        axes.annotate(f"{accuracy:.0e}".replace("e-0", "e-"), (time, error), textcoords="offset points", xytext=(6, 4),
-                      fontsize=7, color=AUTO[2], zorder=4)
+        ends = (accuracies[0], accuracies[-1])
+        label = " .. ".join(dict.fromkeys(f"{a:.0e}".replace("e-0", "e-") for a in ends))
+        axes.annotate(label, (time, error), textcoords="offset points", xytext=(7, 4), fontsize=8, color=AUTO[2],
+                      zorder=4, path_effects=[patheffects.withStroke(linewidth=2, foreground="white")])
     low, high = robot["kappa_length"]
     axes.set_title(f"{robot['name']}\n{robot['cables']} cables, $\\kappa L$ {low:.0f} to {high:.0f}", fontsize=10)
     axes.set(xscale="log", yscale="log")
@@ -141,7 +155,8 @@ def length_text(metres):
 
 
 def time_text(seconds):
-    return f"{seconds * 1e6:.2g} us" if seconds < 99.5e-6 else f"{seconds * 1e6:.0f} us"
+    value, unit = (seconds * 1e6, "us") if seconds < 0.9995e-3 else (seconds * 1e3, "ms")
+    return f"{value:.2g} {unit}" if value < 99.5 else f"{value:.0f} {unit}"
 
 
 def recommendation_table(document):
@@ -175,6 +190,13 @@ def row_of(robot, problem, model, tolerance):
     return min(rows, key=lambda r: abs(r["tolerance"] / tolerance - 1), default=None)
 
 
+def pair_of(row):
+    """Time and error of a row that solved every pose."""
+    if row is None or row["solved"] < row["trials"]:
+        return ["-", "-"]
+    return [time_text(row["median_time"]), length_text(row["position_error"])]
+
+
 def rung_table(document):
     lines = ["| robot | model | forward | p99 | error | tension | inverse | error | estimate | error |",
              "|---" * 10 + "|"]
@@ -184,13 +206,9 @@ def rung_table(document):
                                           for problem in ("forward_warm", "inverse", "estimate"))
             if not any((forward, inverse, estimate)):
                 continue
-
-            def pair(row):
-                return [time_text(row["median_time"]), length_text(row["position_error"])] if row else ["-", "-"]
-
-            first = pair(forward)
+            first = pair_of(forward)
             extra = [time_text(forward["p99_time"]), f"{forward['tension_error']:.1e} N"] if forward else ["-", "-"]
-            cells = [first[0], extra[0], first[1], extra[1]] + pair(inverse) + pair(estimate)
+            cells = [first[0], extra[0], first[1], extra[1]] + pair_of(inverse) + pair_of(estimate)
             lines.append(f"| `{robot['name']}` | {model} | " + " | ".join(cells) + " |")
     return lines
 
@@ -204,6 +222,19 @@ def work_table(document):
                          f"{row['integrator_steps']:.0f}", f"{row['evaluations']:.0f}"]
                 tolerance = f"{row['tolerance']:.0e}".replace("e-0", "e-")
                 lines.append(f"| `{robot['name']}` | {tolerance} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def automatic_table(document):
+    lines = ["| robot | accuracy | forward | error | estimated | finest | inverse | error | estimate | error |",
+             "|---" * 10 + "|"]
+    for robot in document["robots"]:
+        rows = {(r["problem"], r["accuracy"]): r for r in robot["rows"] if r["model"] == "auto"}
+        for accuracy in sorted({accuracy for _, accuracy in rows}, reverse=True):
+            forward, inverse, estimate = (rows[p, accuracy] for p in ("forward_warm", "inverse", "estimate"))
+            cells = pair_of(forward) + [length_text(forward["estimated_error"]), forward["finest_model"] or "-"]
+            cells += pair_of(inverse) + pair_of(estimate)
+            lines.append(f"| `{robot['name']}` | {ACCURACY_NAMES[accuracy]} | " + " | ".join(cells) + " |")
     return lines
 
 

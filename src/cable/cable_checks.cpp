@@ -20,10 +20,15 @@ std::string named(const char* name, double value, const char* unit) {
 }
 
 Status checkModel(Model model) {
-  if (isStraight(model) || isCatenary(model) || isBending(model)) return kFine;
-  return invalid(std::string("model '") + modelName(model) +
-                 "' is not available; choose straight, straight_elastic, catenary_inextensible, catenary, "
-                 "bending_inextensible or bending");
+  if (isStraight(model) || isCatenary(model) || isBending(model) || model == Model::kAuto) return kFine;
+  return invalid(
+      "the model is none of auto, straight, straight_elastic, catenary_inextensible, catenary, "
+      "catenary_corrected, bending_inextensible and bending");
+}
+
+Status checkAccuracy(double accuracy) {
+  if (accuracy > 0.0 && accuracy <= kLargestLength) return kFine;
+  return invalid(named("accuracy", accuracy, "m") + " must be positive and at most 1e6 m");
 }
 
 Status checkOptions(const CableSolverOptions& options) {
@@ -33,7 +38,7 @@ Status checkOptions(const CableSolverOptions& options) {
   if (options.profile_points < 0 || options.profile_points == 1 || options.profile_points > 100000) {
     return invalid(named("profile_points", options.profile_points, "") + " must be 0, or between 2 and 100000");
   }
-  return checkModel(options.model);
+  return firstRefusal(checkAccuracy(options.accuracy), checkModel(options.model));
 }
 
 Status checkCable(const CableProperties& cable, Model model) {

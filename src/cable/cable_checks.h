@@ -16,8 +16,7 @@ constexpr double kLargestForce = 1e12;  // [N]
 // "name = value": for messages.
 std::string named(const char* name, double value, const char* unit);
 
-// INVALID_INPUT for a model that this version does not offer.
-Status checkModel(Model model);
+Status checkAccuracy(double accuracy);
 
 Status checkOptions(const CableSolverOptions& options);
 Status checkCable(const CableProperties& cable, Model model);

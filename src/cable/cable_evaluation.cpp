@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cdpr_kinetostatics/cable/bending_effect.h"
 #include "cdpr_kinetostatics/cable/catenary.h"
 #include "cdpr_kinetostatics/cable/straight.h"
 
@@ -52,11 +53,54 @@ void describeStraight(const CableProperties& cable, double x, double w, int prof
   }
 }
 
+// The corrected catenary at unstrained arc length s: bending follows the catenary's curvature but for the layers
+// at the free ends, where the moment falls to zero.
+ProfilePoint correctedPoint(const CableProperties& cable, double s, const CableSolution& at) {
+  const double h = at.horizontal_force;
+  const double u = cable.weight * s - at.vertical_force_a;
+  const double tension = std::hypot(h, u);
+  const double curvature = cable.weight * h / (tension * tension) / (1.0 + tension / cable.axial_stiffness);
+  const double thickness = std::sqrt(cable.bending_stiffness / tension);
+  const double layer_a = std::exp(-s / thickness);
+  const double layer_b = std::exp(-(at.length - s) / thickness);
+  const double moment = cable.bending_stiffness * curvature;
+  const double inside = (1.0 - layer_a) * (1.0 - layer_b);
+  ProfilePoint point;
+  point.s = s;
+  point.alpha = std::atan2(u, h) + curvature * thickness * (layer_a - layer_b);
+  point.moment = moment * inside;
+  point.tension = tension;
+  point.shear = moment / thickness * (layer_b - layer_a);
+  if (s > 0.0) {
+    const Eigen::Vector2d middle = correctedCatenaryEnd(cable, h, at.vertical_force_a, s).position +
+                                   inside * moment / tension * Eigen::Vector2d(-u, h) / tension;
+    point.x = middle.x();
+    point.w = middle.y();
+  }
+  return point;
+}
+
+void describeCorrection(const CableProperties& cable, int profile_points, CableSolution* solution) {
+  const double lowest = std::clamp(solution->vertical_force_a / cable.weight, 0.0, solution->length);
+  const ProfilePoint a = correctedPoint(cable, 0.0, *solution);
+  const ProfilePoint b = correctedPoint(cable, solution->length, *solution);
+  solution->angle_a = a.alpha;
+  solution->angle_b = b.alpha;
+  const double lowest_tension =
+      std::hypot(solution->horizontal_force, cable.weight * lowest - solution->vertical_force_a);
+  solution->max_moment = cable.bending_stiffness * cable.weight * solution->horizontal_force /
+                         (lowest_tension * lowest_tension) / (1.0 + lowest_tension / cable.axial_stiffness);
+  solution->max_shear = std::max(std::abs(a.shear), std::abs(b.shear));
+  for (int i = 0; i < profile_points; ++i) {
+    solution->profile.push_back(correctedPoint(cable, solution->length * i / (profile_points - 1), *solution));
+  }
+}
+
 void describeCatenary(const CableProperties& cable, int profile_points, CableSolution* solution) {
   const double h = solution->horizontal_force;
   const double v = solution->vertical_force_a;
   const double length = solution->length;
-  const EndPoint end = catenaryEnd(cable, h, v, length);
+  const EndPoint end = correctedCatenaryEnd(cable, h, v, length);
   solution->x = end.position.x();
   solution->w = end.position.y();
   solution->end_jacobian = end.jacobian;
@@ -69,6 +113,9 @@ void describeCatenary(const CableProperties& cable, int profile_points, CableSol
     const double s = std::clamp((v + h * solution->w / solution->x) / cable.weight, 0.0, length);
     const Eigen::Vector2d at = s > 0.0 ? catenaryEnd(cable, h, v, s).position : Eigen::Vector2d::Zero();
     solution->sag = std::abs(at.x() * solution->w - at.y() * solution->x) / chord;
+  }
+  if (cable.bending_stiffness > 0.0 && cable.weight > 0.0 && h > 0.0) {
+    return describeCorrection(cable, profile_points, solution);
   }
   for (int i = 0; i < profile_points; ++i) {
     const double s = length * i / (profile_points - 1);
@@ -83,7 +130,7 @@ void describeCatenary(const CableProperties& cable, int profile_points, CableSol
 CableProperties asSeenBy(Model model, const CableProperties& cable) {
   CableProperties seen = cable;
   if (isInextensible(model)) seen.axial_stiffness = std::numeric_limits<double>::infinity();
-  if (!isBending(model)) seen.bending_stiffness = 0.0;
+  if (!isBending(model) && model != Model::kCatenaryCorrected) seen.bending_stiffness = 0.0;
   return seen;
 }
 

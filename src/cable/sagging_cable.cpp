@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cdpr_kinetostatics/cable/bending_effect.h"
 #include "cdpr_kinetostatics/cable/cable_evaluation.h"
 #include "cdpr_kinetostatics/cable/straight.h"
 
@@ -37,7 +38,7 @@ Status SaggingCable::startBetween(double length, double x, double w, const Bendi
     forces_ = {shooting_.horizontalForce(), shooting_.verticalForceA()};
     return outcome.status;
   }
-  const std::optional<ForcesAtA> catenary = catenaryForces(seen_, length, x, w);
+  const std::optional<ForcesAtA> catenary = correctedCatenaryForces(seen_, length, x, w);
   if (!catenary) return {Code::kInfeasible, "the cable cannot span its ends"};
   forces_ = *catenary;
   return {Code::kConverged, ""};
@@ -50,7 +51,7 @@ bool SaggingCable::linearise(bool adapt) {
     return true;
   }
   end_ = isStraight(model_) ? straightEnd(seen_, forces_.horizontal, forces_.vertical, length_)
-                            : catenaryEnd(seen_, forces_.horizontal, forces_.vertical, length_);
+                            : correctedCatenaryEnd(seen_, forces_.horizontal, forces_.vertical, length_);
   return end_.position.allFinite() && end_.jacobian.allFinite();
 }
 
@@ -58,7 +59,7 @@ double SaggingCable::dampingFor(const Eigen::Vector3d& change) const {
   double damping = 1.0;
   if (std::abs(change.z()) > kMaxLengthStep * length_) damping = kMaxLengthStep * length_ / std::abs(change.z());
   if (bends()) damping = std::min(damping, kMaxAngleStep / shooting_.angleChange(change));
-  if (seen_.bending_stiffness == 0.0 || length_ < kTautExcess * end_.position.norm()) {
+  if (!bends() || length_ < kTautExcess * end_.position.norm()) {
     damping = std::min(damping, kMaxForceStep * tensionA() / change.head<2>().norm());
   }
   if (bends()) return damping;

@@ -5,7 +5,7 @@
 
 #include "cdpr_kinetostatics/cable/bending.h"
 #include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cdpr_kinetostatics/cable/bending_effect.h"
 #include "cdpr_kinetostatics/cable/straight.h"
 #include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
 
@@ -85,7 +85,7 @@ CatenaryClosure::CatenaryClosure(const CableProperties& cable, const Eigen::Vect
 
 bool CatenaryClosure::endPoint(double h, double v, double length, EndPoint* end) const {
   if (!(h > 0.0)) return false;
-  *end = catenaryEnd(cable_, h, v, length);
+  *end = correctedCatenaryEnd(cable_, h, v, length);
   return end->position.allFinite() && end->jacobian.allFinite();
 }
 

@@ -5,6 +5,7 @@
 
 #include "cdpr_kinetostatics/robot/basin_search.h"
 #include "cdpr_kinetostatics/robot/coupled_newton.h"
+#include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "cdpr_kinetostatics/robot/straight_forward.h"
@@ -41,31 +42,62 @@ class ForwardSolve {
   RobotSolution run() {
     RobotForces start;
     start.pose = request_.seed.value_or(robot_.home);
+    const bool choose = options_.model == Model::kAuto;
+    if (choose) {
+      const RobotSolution lines = onLines();
+      if (lines.report.status.ok() && isWithin(robot_, lines, options_.accuracy)) return lines;
+    }
     Status status = roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
-    status = searchBasin(robot_, request_.external_wrench, closedFormRung(options_.model), options_.tolerance,
-                         deadline_, &start, &iterations_);
+    status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
+                         &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
+    rungs_ = choose ? chooseRungs(robot_, start, options_.accuracy, {})
+                    : std::vector<Model>(robot_.cables.size(), options_.model);
     status = refine(start);
-    if (status.code == Code::kNotConverged && isBending(options_.model)) {
-      status = searchBasin(robot_, request_.external_wrench, options_.model, options_.tolerance, deadline_, &start,
-                           &iterations_);
+    if (status.code == Code::kNotConverged && (choose || isBending(options_.model))) {
+      const Model finest = choose ? Model::kBending : options_.model;
+      rungs_.assign(rungs_.size(), finest);
+      status =
+          searchBasin(robot_, request_.external_wrench, finest, options_.tolerance, deadline_, &start, &iterations_);
       if (status.ok()) status = refine(start);
     }
     if (!status.ok()) return refusedRobot(options_.model, status);
-    return solution();
+    RobotSolution found = solution();
+    while (choose && !isWithin(robot_, found, options_.accuracy) && refineRungs(&rungs_)) {
+      status = refine(reached());
+      if (!status.ok()) return refusedRobot(options_.model, status);
+      found = solution();
+    }
+    return found;
   }
 
  private:
-  // Newton's method on the rung asked for.
+  RobotSolution onLines() {
+    RobotSolverOptions options = options_;
+    options.model = Model::kStraightElastic;
+    RobotSolution lines = solveStraightForward(robot_, request_, options, deadline_);
+    iterations_ += lines.report.iterations;
+    return lines;
+  }
+
+  RobotForces reached() const {
+    RobotForces forces{state_.pose, request_.lengths, {}};
+    for (const SaggingCable& cable : state_.cables) {
+      forces.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
+    }
+    return forces;
+  }
+
+  // Newton's method on the cables' rungs.
   Status refine(const RobotForces& start) {
     state_.pose = start.pose;
     state_.cables.clear();
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-      SaggingCable cable(robot_.cables[i].properties, options_.model, options_.tolerance);
+      SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
       const CableLine line = cableLine(robot_.cables[i], state_.pose);
       bool started = false;
-      if (isBending(options_.model) && start.lengths[i] > kOwnShapeExcess * std::hypot(line.x, line.w)) {
+      if (isBending(rungs_[i]) && start.lengths[i] > kOwnShapeExcess * std::hypot(line.x, line.w)) {
         started = cable.startBetween(start.lengths[i], line.x, line.w, {options_.tolerance, deadline_}).ok();
       }
       if (!started) cable.start(start.lengths[i], start.forces[i]);
@@ -106,6 +138,7 @@ class ForwardSolve {
   const ForwardRequest& request_;
   const RobotSolverOptions& options_;
   const Clock::time_point deadline_;
+  std::vector<Model> rungs_;  // in the robot's order
   CoupledState state_;
   CoupledOutcome outcome_;
   int iterations_ = 0;
@@ -124,6 +157,9 @@ RobotSolution solveForward(const RobotDescription& robot, const ForwardRequest& 
   const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options.timeout);
   RobotSolution solution = isStraight(options.model) ? solveStraightForward(robot, request, options, deadline)
                                                      : ForwardSolve(robot, request, options, deadline).run();
+  if (options.model == Model::kAuto && solution.report.status.ok()) {
+    solution.report.status.message = describeChoice(solution);
+  }
   solution.report.solve_time = std::chrono::duration<double>(Clock::now() - begin).count();
   return solution;
 }

@@ -8,6 +8,7 @@
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "cdpr_kinetostatics/cable/sagging_cable.h"
+#include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
@@ -18,6 +19,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMaxIterations = 2000;
+
+// How far the starting rung is taken where another one follows.
+constexpr double kRough = 1e-3;
 
 // Limits that still contradict each other after so many iterations do.
 constexpr int kIterationsToFeasibility = 8;
@@ -76,14 +80,30 @@ class InverseSolve {
   }
 
   RobotSolution run() {
+    const bool choose = options_.model == Model::kAuto;
     Status status = startCables();
-    if (status.ok() && isBending(options_.model)) {
-      status = iterate(1e-3);
-      if (status.ok()) status = bendCables();
+    std::vector<Model> rungs(robot_.cables.size(), options_.model);
+    if (status.ok() && startingRung(options_.model) != options_.model) {
+      status = iterate(kRough);
+      if (choose && status.ok()) rungs = chooseRungs(robot_, reached(), options_.accuracy, {});
+      useRungs(rungs);
     }
     if (status.ok()) status = iterate(options_.tolerance);
     if (status.ok()) status = checkBranches();
     if (!status.ok()) return refusedRobot(options_.model, status);
+    RobotSolution found = solution(status);
+    while (choose && !isWithin(robot_, found, options_.accuracy) && refineRungs(&rungs)) {
+      useRungs(rungs);
+      status = iterate(options_.tolerance);
+      if (status.ok()) status = checkBranches();
+      if (!status.ok()) return refusedRobot(options_.model, status);
+      found = solution(status);
+    }
+    return found;
+  }
+
+ private:
+  RobotSolution solution(const Status& status) const {
     RobotSolution solution;
     solution.pose = pose_;
     solution.report.status = status;
@@ -97,9 +117,9 @@ class InverseSolve {
     return solution;
   }
 
- private:
+  RobotForces reached() const;
   Status startCables();
-  Status bendCables();
+  void useRungs(const std::vector<Model>& rungs);
   Status iterate(double tolerance);
   Status checkBranches() const;
   bool linearise(bool adapt);
@@ -127,7 +147,7 @@ class InverseSolve {
 // Every cable at its preferred tension, moved into its limits, on the closed-form rung.
 Status InverseSolve::startCables() {
   CableSolverOptions options;
-  options.model = closedFormRung(options_.model);
+  options.model = startingRung(options_.model);
   options.tolerance = 1e-6;
   options.deadline = deadline_;
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
@@ -154,15 +174,25 @@ Status InverseSolve::startCables() {
   return {Code::kConverged, ""};
 }
 
-// From the closed-form rung to the bending one, at the same forces and lengths.
-Status InverseSolve::bendCables() {
-  for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const SaggingCable& catenary = cables_[i].cable;
-    SaggingCable bending(robot_.cables[i].properties, options_.model, options_.tolerance);
-    bending.start(catenary.length(), {catenary.horizontalForce(), catenary.verticalForceA()});
-    cables_[i].cable = std::move(bending);
+RobotForces InverseSolve::reached() const {
+  RobotForces forces;
+  forces.pose = pose_;
+  for (const InverseCable& c : cables_) {
+    forces.lengths.push_back(c.cable.length());
+    forces.forces.push_back({c.cable.horizontalForce(), c.cable.verticalForceA()});
   }
-  return {Code::kConverged, ""};
+  return forces;
+}
+
+// The same forces and lengths on other rungs.
+void InverseSolve::useRungs(const std::vector<Model>& rungs) {
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    const SaggingCable& old = cables_[i].cable;
+    if (old.model() == rungs[i]) continue;
+    SaggingCable cable(robot_.cables[i].properties, rungs[i], options_.tolerance);
+    cable.start(old.length(), {old.horizontalForce(), old.verticalForceA()});
+    cables_[i].cable = std::move(cable);
+  }
 }
 
 bool InverseSolve::linearise(bool adapt) {
@@ -234,7 +264,7 @@ TensionDistribution InverseSolve::distribute() {
 bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
   if (isStraight(options_.model)) return false;
   CableSolverOptions options;
-  options.model = closedFormRung(options_.model);
+  options.model = startingRung(options_.model);
   options.tolerance = 1e-6;
   options.deadline = deadline_;
   bool raised = false;
@@ -256,7 +286,7 @@ bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
 bool InverseSolve::pullBackFromFolds() {
   if (isStraight(options_.model)) return false;
   CableSolverOptions options;
-  options.model = closedFormRung(options_.model);
+  options.model = startingRung(options_.model);
   options.tolerance = 1e-6;
   options.deadline = deadline_;
   bool any = false;
@@ -399,6 +429,16 @@ RobotSolution solveInverse(const RobotDescription& robot, const InverseRequest& 
   }
   const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options.timeout);
   RobotSolution solution = InverseSolve(robot, request, options, deadline).run();
+  const Code code = solution.report.status.code;
+  if (options.model == Model::kAuto &&
+      (code == Code::kNotConverged || code == Code::kWrongBranch || code == Code::kInfeasible)) {
+    RobotSolverOptions finest = options;
+    finest.model = Model::kBending;
+    solution = InverseSolve(robot, request, finest, deadline).run();
+  }
+  if (options.model == Model::kAuto && solution.report.status.ok()) {
+    solution.report.status.message = describeChoice(solution);
+  }
   solution.report.solve_time = std::chrono::duration<double>(Clock::now() - begin).count();
   return solution;
 }

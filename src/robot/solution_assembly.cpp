@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -38,12 +40,12 @@ Status checkRobotOptions(const RobotSolverOptions& options) {
     text << "tolerance = " << options.tolerance << " must lie between 1e-13 and 0.1";
     return invalid(text.str());
   }
-  if (!isStraight(options.model) && !isCatenary(options.model) && !isBending(options.model)) {
-    return invalid(std::string("model '") + modelName(options.model) +
-                   "' is not available; choose straight, straight_elastic, catenary_inextensible, catenary, "
-                   "bending_inextensible or bending");
+  if (!(options.accuracy > 0.0 && options.accuracy <= kLargestCoordinate)) {
+    std::ostringstream text;
+    text << "accuracy = " << options.accuracy << " m must be positive and at most 1e6 m";
+    return invalid(text.str());
   }
-  return {Code::kConverged, ""};
+  return checkModel(options.model);
 }
 
 Status checkWrench(const RobotDescription& robot, const Wrench& external) {
@@ -93,6 +95,11 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
       result.profile.push_back(description.anchor + point.x * line.direction + point.w * Eigen::Vector3d::UnitZ());
     }
   }
+  const PlatformError error = platformError(robot, solution->pose, cables);
+  report.estimated_error = error.translation;
+  report.estimated_rotation_error = error.rotation;
+  report.error_known = error.known;
+  for (std::size_t i = 0; i < cables.size(); ++i) solution->cables[i].cable.estimated_error = error.cables[i];
   report.force_residual = total.head<3>().norm();
   report.moment_residual = robot.type == PlatformType::kPointMass ? 0.0 : total.tail<3>().norm();
 }

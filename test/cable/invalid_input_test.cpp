@@ -48,8 +48,9 @@ void expectRefusal(const Request& request, int problem, Code code, const std::st
   EXPECT_TRUE(s.profile.empty()) << "problem " << problem << ", " << named;
 }
 
-constexpr Model kModels[] = {Model::kStraight, Model::kStraightElastic,     Model::kCatenaryInextensible,
-                             Model::kCatenary, Model::kBendingInextensible, Model::kBending};
+constexpr Model kModels[] = {Model::kStraight, Model::kStraightElastic,   Model::kCatenaryInextensible,
+                             Model::kCatenary, Model::kCatenaryCorrected, Model::kBendingInextensible,
+                             Model::kBending};
 
 TEST(InvalidInput, TheUnspoiledRequestIsServed) {
   for (const int problem : {1, 2, 3}) EXPECT_TRUE(Request().solve(problem).status.ok()) << problem;
@@ -146,7 +147,7 @@ TEST(InvalidInput, Options) {
       spoiled.options.profile_points = bad;
       expectRefusal(spoiled, problem, Code::kInvalidInput, "profile_points");
     }
-    for (const Model bad : {Model::kDefault, Model::kAuto, Model::kCatenaryCorrected, static_cast<Model>(9)}) {
+    for (const Model bad : {Model::kDefault, static_cast<Model>(9)}) {
       Request spoiled;
       spoiled.options.model = bad;
       expectRefusal(spoiled, problem, Code::kInvalidInput, "model");

@@ -10,7 +10,7 @@
 namespace cdpr_kinetostatics {
 
 // The properties that the model sees: an infinite axial stiffness for the inextensible rungs, no bending
-// stiffness below the bending rungs.
+// stiffness where bending is left out.
 CableProperties asSeenBy(Model model, const CableProperties& cable);
 
 // d(H, V)/d(x, w, L) from the end point's Jacobian; zero where forces do not follow from the geometry.

@@ -48,9 +48,10 @@ struct CableSolution {
   double closure_residual = 0.0;  // distance of the computed end from the asked one [m]
   double moment_residual = 0.0;   // largest moment defect: at the free ends and between segments [N m]
   int iterations = 0;
-  int integrator_steps = 0;    // of the bending rungs, tried: those that the step control refused included
-  int evaluations = 0;         // of their right-hand side
-  double least_tension = 0.0;  // problem 3 that is INFEASIBLE: the least T_A that can hold the cable [N]
+  int integrator_steps = 0;      // of the bending rungs, tried: those that the step control refused included
+  int evaluations = 0;           // of their right-hand side
+  double estimated_error = 0.0;  // how far the finest rung's end lies from this one's at the same forces [m]
+  double least_tension = 0.0;    // problem 3 that is INFEASIBLE: the least T_A that can hold the cable [N]
 
   std::vector<ProfilePoint> profile;  // uniform in s, both ends included; only if asked for
 };

@@ -12,7 +12,11 @@
 namespace cdpr_kinetostatics {
 
 struct CableSolverOptions {
-  Model model = Model::kBending;  // AUTO and CATENARY_CORRECTED: INVALID_INPUT
+  Model model = Model::kBending;
+
+  // AUTO takes the coarsest rung that moves the end B by less than this [m]. Which one it took is in
+  // solution.model; in solution.status.message, what that neglects.
+  double accuracy = 1e-4;
 
   // Relative tolerance of the integration; closure is iterated until forces change by less than
   // tolerance times the tension.
@@ -23,6 +27,9 @@ struct CableSolverOptions {
 
   int profile_points = 0;  // 0, or at least 2
 };
+
+// INVALID_INPUT unless model is AUTO or a rung of the ladder.
+Status checkModel(Model model);
 
 // Problem 1: where does the end B lie, the forces at A being known? length > 0 [m]; forces [N].
 CableSolution findPosition(const CableProperties& cable, double length, double horizontal_force,

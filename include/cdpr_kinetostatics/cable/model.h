@@ -21,16 +21,20 @@ enum class Model : std::uint8_t {
 };
 
 inline bool isStraight(Model model) { return model == Model::kStraight || model == Model::kStraightElastic; }
-inline bool isCatenary(Model model) { return model == Model::kCatenaryInextensible || model == Model::kCatenary; }
+inline bool isCatenary(Model model) {
+  return model == Model::kCatenaryInextensible || model == Model::kCatenary || model == Model::kCatenaryCorrected;
+}
 inline bool isBending(Model model) { return model == Model::kBendingInextensible || model == Model::kBending; }
 inline bool isInextensible(Model model) {
   return model == Model::kStraight || model == Model::kCatenaryInextensible || model == Model::kBendingInextensible;
 }
 
-// The rung itself if it has a closed form; the catenary that a bending rung starts from.
-inline Model closedFormRung(Model model) {
-  if (!isBending(model)) return model;
-  return isInextensible(model) ? Model::kCatenaryInextensible : Model::kCatenary;
+// The rung that a solve starts from: the catenary of the rungs that bend and of AUTO, otherwise the rung itself.
+inline Model startingRung(Model model) {
+  if (isStraight(model) || isInextensible(model)) {
+    return isBending(model) ? Model::kCatenaryInextensible : model;
+  }
+  return Model::kCatenary;
 }
 
 // "straight", ..., "bending": the values of the node's ~model parameter.

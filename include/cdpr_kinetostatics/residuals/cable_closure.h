@@ -60,7 +60,8 @@ class StraightClosure : public CableClosure {
   const CableProperties cable_;
 };
 
-// The catenary in closed form; an infinite axial stiffness is the inextensible one.
+// The catenary in closed form; an infinite axial stiffness is the inextensible one, a bending stiffness adds its
+// first-order effect.
 class CatenaryClosure : public CableClosure {
  public:
   CatenaryClosure(const CableProperties& cable, const Eigen::Vector3d& anchor, const Eigen::Vector3d& attachment,

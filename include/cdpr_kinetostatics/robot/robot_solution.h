@@ -17,8 +17,11 @@ enum class Condition { kTaut = 0, kSlack = 1, kCompressed = 2 };
 Condition conditionOf(const CableSolution& cable, double tension_min);
 
 struct RobotSolverOptions {
-  Model model = Model::kBending;  // AUTO and CATENARY_CORRECTED: INVALID_INPUT
-  double tolerance = 1e-8;        // relative, as CableSolverOptions::tolerance
+  Model model = Model::kBending;
+  // AUTO: each cable gets the coarsest rung with which the platform stays within this of where BENDING would put it
+  // [m]; for an inverse solution, if the lengths were applied.
+  double accuracy = 1e-4;
+  double tolerance = 1e-8;  // relative, as CableSolverOptions::tolerance
   std::chrono::duration<double> timeout{0.1};
   int profile_points = 0;          // of each cable; 0, or at least 2
   bool compute_stiffness = false;  // forward only
@@ -34,6 +37,10 @@ struct RobotReport {
   double closure_residual = 0.0;  // largest distance of a cable's end from its attachment [m]
   double force_residual = 0.0;    // norm of the unbalanced force [N]
   double moment_residual = 0.0;   // norm of the unbalanced moment about the platform origin [N m]
+  // What the rungs in use neglect, at the platform, to leading order (robot/modelling_effect.h).
+  double estimated_error = 0.0;           // [m]
+  double estimated_rotation_error = 0.0;  // [rad]
+  bool error_known = true;                // false where the estimate is an order of magnitude at best
 };
 
 struct CableResult {

@@ -1,0 +1,46 @@
+// What the cables' rungs leave out, seen at the platform: how far it would move if the cables were the real ones.
+//
+// One Newton step of the finest rung from a coarser solution: each cable's force error at fixed ends
+// (cable/model_error.h) unbalances the platform, and the robot's stiffness says where that takes it
+// (docs/theory.md section 5). For lengths applied to a robot: inverse solutions are judged by the same number.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/cable_solution.h"
+#include "cdpr_kinetostatics/cable/model_error.h"
+#include "cdpr_kinetostatics/robot/basin_search.h"
+#include "cdpr_kinetostatics/robot/robot_description.h"
+#include "cdpr_kinetostatics/robot/robot_solution.h"
+
+namespace cdpr_kinetostatics {
+
+struct PlatformError {
+  double translation = 0.0;    // [m]
+  double rotation = 0.0;       // [rad]
+  bool known = true;           // false where a cable's own estimate is not to be trusted
+  std::vector<double> cables;  // of each cable's end [m]
+};
+
+// Of solved cables, in the robot's order.
+PlatformError platformError(const RobotDescription& robot, const Pose& pose, const std::vector<CableSolution>& cables);
+
+// True if what the solution neglects is known to be well within accuracy [m]; a rotation counts with the platform's
+// radius.
+bool isWithin(const RobotDescription& robot, const RobotSolution& solution, double accuracy);
+
+// Makes each cable's rung one finer where there is a finer one. False if there was none.
+bool refineRungs(std::vector<Model>* rungs);
+
+// "catenary for 6 cables, bending for 2: ...": what AUTO used and what that neglects.
+std::string describeChoice(const RobotSolution& solution);
+
+// AUTO: for each cable the coarsest rung with which the platform's error stays within accuracy. state holds the
+// catenaries' forces at a pose near the solution. kept, if not empty, are the rungs in use: none is given up for a
+// coarser one that would only just do, so that a stream of poses does not flicker.
+std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces& state, double accuracy,
+                               const std::vector<Model>& kept);
+
+}  // namespace cdpr_kinetostatics

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 
 namespace cdpr_kinetostatics {
 
@@ -60,17 +61,17 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 
-void* malloc(std::size_t size) {
+void* malloc(std::size_t size) noexcept {
   void* const block = __libc_malloc(size);
   cdpr_kinetostatics::heap::taken(block, malloc_usable_size(block));
   return block;
 }
-void* calloc(std::size_t count, std::size_t size) {
+void* calloc(std::size_t count, std::size_t size) noexcept {
   void* const block = __libc_calloc(count, size);
   cdpr_kinetostatics::heap::taken(block, malloc_usable_size(block));
   return block;
 }
-void* realloc(void* old, std::size_t size) {
+void* realloc(void* old, std::size_t size) noexcept {
   const std::size_t before = malloc_usable_size(old);
   void* const block = __libc_realloc(old, size);
   if (block == nullptr && size > 0) return nullptr;
@@ -78,17 +79,17 @@ void* realloc(void* old, std::size_t size) {
   cdpr_kinetostatics::heap::taken(block, malloc_usable_size(block));
   return block;
 }
-void* memalign(std::size_t alignment, std::size_t size) {
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
   void* const block = __libc_memalign(alignment, size);
   cdpr_kinetostatics::heap::taken(block, malloc_usable_size(block));
   return block;
 }
-void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
-int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept { return memalign(alignment, size); }
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexcept {
   *block = memalign(alignment, size);
   return *block == nullptr ? ENOMEM : 0;
 }
-void free(void* block) {
+void free(void* block) noexcept {
   cdpr_kinetostatics::heap::returned(malloc_usable_size(block));
   __libc_free(block);
 }

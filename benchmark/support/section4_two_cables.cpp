@@ -79,7 +79,7 @@ class Trajectory {
     Eigen::Vector2d around = swept_forces_;
     double share = kNextShare;
     if (sweep_times_.empty()) {
-      const CableSolution catenary = solve(lengths, closedFormRung(model_), kTolerance).cables[0].cable;
+      const CableSolution catenary = solve(lengths, startingRung(model_), kTolerance).cables[0].cable;
       around << catenary.horizontal_force, catenary.vertical_force_a;
       share = kFirstShare;
     }

@@ -226,15 +226,15 @@ def work_table(document):
 
 
 def automatic_table(document):
-    lines = ["| robot | accuracy | forward | error | estimated | finest | inverse | error | estimate | error |",
-             "|---" * 10 + "|"]
+    lines = ["| robot | accuracy | finest | forward | error | estimated | inverse | error | estimated |", "|---" * 9 + "|"]
     for robot in document["robots"]:
         rows = {(r["problem"], r["accuracy"]): r for r in robot["rows"] if r["model"] == "auto"}
         for accuracy in sorted({accuracy for _, accuracy in rows}, reverse=True):
-            forward, inverse, estimate = (rows[p, accuracy] for p in ("forward_warm", "inverse", "estimate"))
-            cells = pair_of(forward) + [length_text(forward["estimated_error"]), forward["finest_model"] or "-"]
-            cells += pair_of(inverse) + pair_of(estimate)
-            lines.append(f"| `{robot['name']}` | {ACCURACY_NAMES[accuracy]} | " + " | ".join(cells) + " |")
+            forward, inverse = rows["forward_warm", accuracy], rows["inverse", accuracy]
+            cells = [forward["finest_model"] or "-"]
+            for row in (forward, inverse):
+                cells += pair_of(row) + [length_text(row["estimated_error"])]
+            lines.append(f"| `{robot['name']}` | {length_text(accuracy)} | " + " | ".join(cells) + " |")
     return lines
 
 
@@ -245,7 +245,8 @@ def write_tables(document, path):
     text = path.read_text()
     for mark, lines in (("origin", [origin]), ("example", example(document)),
                         ("recommendations", recommendation_table(document)),
-                        ("rungs", rung_table(document)), ("work", work_table(document))):
+                        ("rungs", rung_table(document)), ("automatic", automatic_table(document)),
+                        ("work", work_table(document))):
         block = f"<!-- {mark} -->\n" + "\n".join(lines) + "\n<!-- end -->"
         text, count = re.subn(rf"<!-- {mark} -->.*?<!-- end -->", lambda _: block, text, flags=re.DOTALL)
         if count != 1:

@@ -13,6 +13,7 @@ class CableTrial : public Trial {
       : problem_(problem), cable_(cable), reference_(reference) {
     options_.model = setting.model;
     options_.tolerance = setting.tolerance;
+    if (setting.accuracy) options_.accuracy = *setting.accuracy;
   }
 
   void solve() override {
@@ -34,6 +35,7 @@ class CableTrial : public Trial {
     outcome.integrator_steps = solution_.integrator_steps;
     outcome.evaluations = solution_.evaluations;
     if (!outcome.status.ok()) return outcome;
+    outcome.estimated_error = solution_.estimated_error;
     if (problem_ == Problem::kCablePosition) {
       outcome.errors.position = std::hypot(solution_.x - reference_.x, solution_.w - reference_.w);
     } else if (problem_ == Problem::kCableForces) {

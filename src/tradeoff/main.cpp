@@ -1,4 +1,5 @@
 // tradeoff: how fast and how exact is each cable model on a robot? (docs/trade.md)
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -31,11 +32,16 @@ void run(const CommandLine& line) {
             << "Errors: largest, against bending at " << kReferenceTolerance
             << ". Times: medians. *: not at all poses; "
             << "-: nowhere, or not known.\n\n";
+  Effort effort = line.quick ? Effort::quick() : Effort::full();
+  std::vector<double>& accuracies = effort.accuracies;
+  if (std::find(accuracies.begin(), accuracies.end(), line.accuracy) == accuracies.end()) {
+    accuracies.push_back(line.accuracy);
+  }
   std::vector<RobotTrade> trades;
   for (const std::string& file : line.robot.empty() ? shippedRobots() : std::vector<std::string>{line.robot}) {
     const LoadedRobot loaded = loadRobotFile(file);
     for (const std::string& warning : loaded.warnings) std::cerr << file << ": " << warning << "\n";
-    trades.push_back(measureTrade(loaded.robot, line.quick ? Effort::quick() : Effort::full()));
+    trades.push_back(measureTrade(loaded.robot, effort));
     writeTable(trades.back(), &std::cout);
     std::cout << "\n";
     for (const double accuracy : kAccuracies) {

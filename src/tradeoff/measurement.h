@@ -29,8 +29,7 @@ struct Row {
   double median_time = 0.0;
   double p99_time = 0.0;
   Errors errors;
-  // AUTO: the largest estimate of its own error [m].
-  std::optional<double> estimated_error;
+  std::optional<double> estimated_error;  // the largest [m]
   Model finest = Model::kDefault;
   // Medians.
   double iterations = 0.0;

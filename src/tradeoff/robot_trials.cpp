@@ -16,6 +16,7 @@ RobotSolverOptions solverOptions(const Setting& setting) {
   options.model = setting.model;
   options.tolerance = setting.tolerance;
   options.timeout = std::chrono::duration<double>(kTimeout);
+  if (setting.accuracy) options.accuracy = *setting.accuracy;
   return options;
 }
 
@@ -35,6 +36,7 @@ Outcome outcomeOf(const RobotReport& report) {
   Outcome outcome;
   outcome.status = report.status;
   outcome.finest = report.model;
+  if (report.error_known) outcome.estimated_error = report.estimated_error;
   outcome.iterations = report.iterations;
   outcome.integrator_steps = report.integrator_steps;
   outcome.evaluations = report.evaluations;

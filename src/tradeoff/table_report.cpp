@@ -24,20 +24,21 @@ class Line {
   }
 
   std::string time(Problem problem) const {
-    const Row& row = of(problem);
-    return row.solved == 0 ? "-" : asTime(row.median_time) + (row.solved < row.trials ? "*" : "");
+    const Row* row = find(problem);
+    if (row == nullptr || row->solved == 0) return "-";
+    return asTime(row->median_time) + (row->solved < row->trials ? "*" : "");
   }
   std::string error(Problem problem) const {
-    const Errors& errors = of(problem).errors;
-    return errors.position ? asLength(*errors.position) : "-";
+    const Row* row = find(problem);
+    return row != nullptr && row->errors.position ? asLength(*row->errors.position) : "-";
   }
 
  private:
-  const Row& of(Problem problem) const {
+  const Row* find(Problem problem) const {
     for (const Row* row : rows_) {
-      if (row->problem == problem) return *row;
+      if (row->problem == problem) return row;
     }
-    return *rows_.front();
+    return nullptr;
   }
 
   std::vector<const Row*> rows_;

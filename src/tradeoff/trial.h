@@ -49,7 +49,7 @@ struct Outcome {
   Status status;
   Errors errors;
   Model finest = Model::kDefault;         // finest rung used
-  std::optional<double> estimated_error;  // AUTO's own estimate of its modelling error [m]
+  std::optional<double> estimated_error;  // the solver's own estimate of the modelling error, if it trusts it [m]
   int iterations = 0;
   int integrator_steps = 0;
   int evaluations = 0;

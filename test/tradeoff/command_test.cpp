@@ -88,8 +88,8 @@ TEST_F(QuickRun, MeasuresEveryRungOnEveryProblem) {
     EXPECT_GT(row["median_time"], 0.0) << row;
     EXPECT_GE(row["p99_time"], row["median_time"]) << row;
   }
-  for (const char* model :
-       {"straight", "straight_elastic", "catenary_inextensible", "catenary", "bending_inextensible", "bending"}) {
+  for (const char* model : {"straight", "straight_elastic", "catenary_inextensible", "catenary", "catenary_corrected",
+                            "bending_inextensible", "bending"}) {
     EXPECT_EQ(problems[model].size(), 7u) << model;
   }
   const auto comments = static_cast<std::size_t>(std::count(csv_.begin(), csv_.end(), '#'));
@@ -108,6 +108,18 @@ TEST_F(QuickRun, ErrorsOfBendingFallWithTheToleranceAndTheWorkGrows) {
       EXPECT_GT(rows[i]["evaluations"], rows[i - 1]["evaluations"]) << rows[i];
     }
     EXPECT_LT(rows.back()["position_error"], 1e-9);
+  }
+}
+
+TEST_F(QuickRun, AutoStaysWithinItsAccuracy) {
+  for (const char* problem : {"forward_cold", "forward_warm", "inverse", "cable_position", "cable_length"}) {
+    const std::vector<json> rows = rowsOf("auto", problem);
+    ASSERT_EQ(rows.size(), 2u) << problem;
+    for (const json& row : rows) {
+      EXPECT_EQ(row["solved"], row["trials"]) << row;
+      EXPECT_LE(row["position_error"], row["accuracy"]) << row;
+    }
+    EXPECT_GE(rows[1]["evaluations"], rows[0]["evaluations"]) << problem;
   }
 }
 

@@ -9,6 +9,7 @@ Pictures go to docs/images/trade_*.png, the tables between the marks in docs/tra
 
 import argparse
 import json
+import math
 import os
 import pathlib
 import re
@@ -42,6 +43,7 @@ RUNGS = {
 }
 AUTO = ("auto", "*", "tab:green")
 LEAST_ERROR = 1e-13  # [m], the reference's own
+LABEL_DISTANCE = 0.9  # between AUTO's labels [decades]
 TABLE_TOLERANCE = 1e-7
 ACCURACY_NAMES = {1e-2: "1 cm", 1e-3: "1 mm", 1e-4: "0.1 mm", 1e-5: "10 um", 1e-6: "1 um"}
 
@@ -77,10 +79,10 @@ def front_of(points):
 
 
 def automatic_groups(robot, problem):
-    """AUTO's points and their accuracies; accuracies that lead to the same error share the fastest point."""
+    """AUTO's points and their accuracies; those that lead to about the same error share the fastest point."""
     groups = []
     for time, error, accuracy in points_of(robot, problem, "auto"):
-        if groups and 0.7 < error / groups[-1][0][1] < 1.4:
+        if groups and error > groups[-1][0][1] / 2.5:
             (fastest, same), accuracies = groups[-1]
             groups[-1] = ((min(time, fastest), same), accuracies + [accuracy])
         else:
@@ -100,13 +102,15 @@ def draw_panel(axes, robot, problem):
             fill = "white" if model.endswith("_inextensible") else color
             axes.plot(*list(zip(*points))[:2], marker=marker, markersize=6, color=color, markerfacecolor=fill,
                       linewidth=0.8, zorder=2)
+    label_height = math.inf
     for (time, error), accuracies in automatic_groups(robot, problem):
         axes.plot(time, error, marker=AUTO[1], markersize=11, color=AUTO[2], markeredgecolor="black",
                   markeredgewidth=0.5, linestyle="none", zorder=3)
         ends = (accuracies[0], accuracies[-1])
         label = " .. ".join(dict.fromkeys(f"{a:.0e}".replace("e-0", "e-") for a in ends))
-        axes.annotate(label, (time, error), textcoords="offset points", xytext=(7, 4), fontsize=8, color=AUTO[2],
-                      zorder=4, path_effects=[patheffects.withStroke(linewidth=2, foreground="white")])
+        label_height = min(math.log10(error) + 0.2, label_height - LABEL_DISTANCE)
+        axes.text(1.3 * time, 10**label_height, label, va="center", fontsize=8, color=AUTO[2], zorder=4,
+                  path_effects=[patheffects.withStroke(linewidth=2, foreground="white")])
     low, high = robot["kappa_length"]
     axes.set_title(f"{robot['name']}\n{robot['cables']} cables, $\\kappa L$ {low:.0f} to {high:.0f}", fontsize=10)
     axes.set(xscale="log", yscale="log")
@@ -226,7 +230,8 @@ def work_table(document):
 
 
 def automatic_table(document):
-    lines = ["| robot | accuracy | finest | forward | error | estimated | inverse | error | estimated |", "|---" * 9 + "|"]
+    lines = ["| robot | accuracy | finest | forward | error | estimated | inverse | error | estimated |",
+             "|---" * 9 + "|"]
     for robot in document["robots"]:
         rows = {(r["problem"], r["accuracy"]): r for r in robot["rows"] if r["model"] == "auto"}
         for accuracy in sorted({accuracy for _, accuracy in rows}, reverse=True):

@@ -9,7 +9,7 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr double kTimeout = 0.5;  // [s]
+constexpr double kTimeout = 2.0;  // [s]
 
 RobotSolverOptions solverOptions(const Setting& setting) {
   RobotSolverOptions options;

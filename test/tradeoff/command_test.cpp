@@ -18,14 +18,16 @@ using nlohmann::json;
 
 const std::string kRobot = ROBOT_DIR "/desktop_music_wire.yaml";
 
+const std::string kJsonFile = testing::TempDir() + "tradeoff_test.json";
+
 struct Reply {
   int exit_code = -1;
   std::string output;  // both streams
 };
 
-Reply tradeoff(const std::string& arguments) {
+Reply replyOf(const std::string& command) {
   Reply run;
-  FILE* pipe = popen((std::string(TRADEOFF_EXECUTABLE) + " " + arguments + " 2>&1").c_str(), "r");
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return run;
   char buffer[4096];
   while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) run.output.append(buffer, count);
@@ -33,6 +35,8 @@ Reply tradeoff(const std::string& arguments) {
   if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
   return run;
 }
+
+Reply tradeoff(const std::string& arguments) { return replyOf(std::string(TRADEOFF_EXECUTABLE) + " " + arguments); }
 
 int linesOf(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
@@ -44,10 +48,9 @@ std::string contentOf(const std::string& path) {
 class QuickRun : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const std::string json_file = testing::TempDir() + "tradeoff_test.json";
     const std::string csv_file = testing::TempDir() + "tradeoff_test.csv";
-    run_ = tradeoff("--quick --robot " + kRobot + " --json " + json_file + " --csv " + csv_file);
-    document_ = json::parse(contentOf(json_file), nullptr, false);
+    run_ = tradeoff("--quick --robot " + kRobot + " --json " + kJsonFile + " --csv " + csv_file);
+    document_ = json::parse(contentOf(kJsonFile), nullptr, false);
     csv_ = contentOf(csv_file);
   }
 
@@ -145,6 +148,16 @@ TEST_F(QuickRun, RecommendsTheFastestThatIsGoodEnough) {
   EXPECT_EQ(document_["robots"][0]["recommendations"].back()["model"], "bending");
   const std::size_t last = run_.output.rfind("For errors up to ");
   EXPECT_EQ(run_.output.find("100 um", last), last + std::string("For errors up to ").size());
+}
+
+TEST_F(QuickRun, IsDrawn) {
+  const std::string pictures = testing::TempDir() + "tradeoff_test_pictures";
+  const Reply drawn =
+      replyOf("/usr/bin/python3 " SOURCE_DIR "/scripts/plot_tradeoff.py " + kJsonFile + " --images " + pictures);
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
+  for (const char* problem : {"forward", "inverse", "estimate", "cable"}) {
+    EXPECT_EQ(contentOf(pictures + "/trade_" + problem + ".png").substr(1, 3), "PNG") << problem;
+  }
 }
 
 class Refusal : public testing::TestWithParam<std::pair<std::string, std::string>> {};

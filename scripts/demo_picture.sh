@@ -6,22 +6,26 @@ config=$1
 file=$2
 if [ "${3:-}" != inside ]; then
   export LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1
-  exec timeout 60 xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX +render -noreset" "$0" "$config" "$file" inside
+  exec timeout 90 xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX +render -noreset" "$0" "$config" "$file" inside
 fi
 log=$(mktemp)
 rviz -d "$config" --fullscreen >"$log" 2>&1 &
 rviz=$!
 trap 'kill $rviz 2>/dev/null; rm -f "$log"' EXIT
 
-# Asks every half second, 50 times at most. Done when two pictures in a row show more than a few colours: RViz paints its
-# frame first, then what it hears.
-for _ in $(seq 50); do
+# Asks every half second, 80 times at most. Done when two pictures in a row have the background of the view in the corner,
+# which the start-up picture has not, and more than a few colours: RViz paints its grid first, then what it hears.
+background='srgb(32,34,38)' # of rviz/kinetostatics.rviz
+ready=0
+for _ in $(seq 80); do
   import -window root "$file" 2>/dev/null || true
-  colours=$(identify -format %k "$file" 2>/dev/null || echo 0)
-  if [ "$colours" -gt 600 ] && [ "${before:-0}" -gt 600 ]; then
-    exit 0
+  seen=$(identify -format '%[pixel:p{2,2}] %k' "$file" 2>/dev/null || echo nothing 0)
+  if [ "${seen% *}" = "$background" ] && [ "${seen#* }" -gt 600 ]; then
+    ready=$((ready + 1))
+  else
+    ready=0
   fi
-  before=$colours
+  [ $ready -lt 2 ] || exit 0
   kill -0 $rviz 2>/dev/null || break
   sleep 0.5
 done

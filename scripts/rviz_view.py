@@ -15,9 +15,10 @@ def main():
     corners = [[float(c) for c in point["frame"]] for point in robot["points"]]
     corners.append([float(c) for c in robot["platform"]["position"]["xyz"]])
     low, high = [min(c) for c in zip(*corners)], [max(c) for c in zip(*corners)]
+    low[2] = min(low[2], 0.0)  # posts reach down to the floor
     size = math.dist(low, high)
     scale = size / 19.0  # the file is drawn for a robot of this size
-    values = {"Distance": 17 * scale, "Cell Size": 10 ** round(math.log10(scale)), "Marker Scale": 2 * scale}
+    values = {"Distance": 29 * scale, "Cell Size": 10 ** round(math.log10(scale)), "Marker Scale": 3 * scale}
     for key, value in values.items():
         config = re.sub(rf"(?m)^( *{key}: )[\d.]+", rf"\g<1>{value:.4g}", config)
     for key in ("Axes Length", "Axes Radius"):

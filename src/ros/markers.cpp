@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cdpr_kinetostatics/ros/conversions.h"
+#include "cdpr_kinetostatics/ros/text.h"
 
 namespace cdpr_kinetostatics {
 
@@ -11,9 +12,24 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.0016;  // in spans of the frame
-constexpr double kTextHeight = 0.018;  // in spans of the frame
+// In spans of the frame.
+constexpr double kLineWidth = 0.0025;
+constexpr double kTextHeight = 0.018;
+constexpr double kLegendHeight = 0.14;
+constexpr double kLoadLength = 0.12;  // of the arrow, if the load is the platform's weight alone
+
 constexpr int kLegendEntries = 5;
+
+std_msgs::ColorRGBA rgba(double red, double green, double blue, double alpha) {
+  std_msgs::ColorRGBA color;
+  color.r = static_cast<float>(red);
+  color.g = static_cast<float>(green);
+  color.b = static_cast<float>(blue);
+  color.a = static_cast<float>(alpha);
+  return color;
+}
+
+std_msgs::ColorRGBA grey() { return rgba(0.75, 0.75, 0.75, 1.0); }
 
 struct TensionScale {
   double low, high;  // [N]
@@ -32,10 +48,10 @@ struct TensionScale {
   }
 };
 
-// Blue, cyan, green, yellow, red.
+// Blue, cyan, green, yellow, red; light enough for a dark background.
 std_msgs::ColorRGBA colour(double share) {
   const auto ramp = [&](double centre) { return std::clamp(1.5 - std::abs(0.5 + 3.0 * share - centre), 0.0, 1.0); };
-  const auto light = [&](double centre) { return 0.2 + 0.8 * ramp(centre); };
+  const auto light = [&](double centre) { return 0.3 + 0.7 * ramp(centre); };
   return rgba(light(3.0), light(2.0), light(1.0), 1.0);
 }
 
@@ -72,52 +88,116 @@ std_msgs::ColorRGBA colourOf(const CableState& cable, bool outlier, const Tensio
   return colour(scale.share(cable.tension_a));
 }
 
-std::vector<geometry_msgs::Point> lineOf(const CableDescription& cable, const CableState& state, const Pose& pose) {
-  if (state.profile.size() >= 2) return state.profile;
-  return {toPoint(cable.anchor), toPoint(pose.transform(cable.attachment))};
-}
-
-// Beside the anchor that lies furthest from the middle, one entry above the other.
-void addLegend(const RobotDescription& robot, const KinetostaticState& state, const TensionScale& scale,
-               visualization_msgs::MarkerArray* markers) {
-  const double height = kTextHeight * robot.span();
-  Eigen::Vector3d corner = robot.cables[0].anchor;
-  for (const CableDescription& cable : robot.cables) corner = corner.cwiseMax(cable.anchor);
-  corner.z() += 2.0 * height;
-  for (int k = 0; k < kLegendEntries; ++k) {
-    const double share = k / (kLegendEntries - 1.0);
-    markers->markers.push_back(label(state.header, "legend", static_cast<std::size_t>(k),
-                                     inNewton(scale.tension(share)),
-                                     corner + Eigen::Vector3d(0.0, 0.0, k * 1.4 * height), height, colour(share)));
-  }
-  markers->markers.push_back(label(state.header, "legend", kLegendEntries, "tension at A",
-                                   corner + Eigen::Vector3d(0.0, 0.0, kLegendEntries * 1.4 * height), height,
-                                   rgba(0.6, 0.6, 0.6, 1.0)));
-}
-
-}  // namespace
-
-std_msgs::ColorRGBA rgba(double red, double green, double blue, double alpha) {
-  std_msgs::ColorRGBA color;
-  color.r = static_cast<float>(red);
-  color.g = static_cast<float>(green);
-  color.b = static_cast<float>(blue);
-  color.a = static_cast<float>(alpha);
-  return color;
-}
-
-Marker platformMarker(const RobotDescription& robot, const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
-  Marker m = marker(header, "platform", 0, Marker::CUBE);
+// Of the box around the attachments, platform frame [m].
+Eigen::Vector3d middleOf(const RobotDescription& robot) {
   Eigen::Vector3d low = robot.cables[0].attachment;
   Eigen::Vector3d high = low;
   for (const CableDescription& cable : robot.cables) {
     low = low.cwiseMin(cable.attachment);
     high = high.cwiseMax(cable.attachment);
   }
+  return 0.5 * (low + high);
+}
+
+std::vector<geometry_msgs::Point> lineOf(const CableDescription& cable, const CableState& state, const Pose& pose) {
+  if (state.profile.size() >= 2) return state.profile;
+  return {toPoint(cable.anchor), toPoint(pose.transform(cable.attachment))};
+}
+
+// A bar of all colours and what they mean, above the middle of the frame.
+void addLegend(const RobotDescription& robot, const std_msgs::Header& header, const TensionScale& scale,
+               visualization_msgs::MarkerArray* markers) {
+  const double span = robot.span();
+  const double height = kTextHeight * span;
+  Eigen::Vector3d low = robot.cables[0].anchor;
+  Eigen::Vector3d high = low;
+  for (const CableDescription& cable : robot.cables) {
+    low = low.cwiseMin(cable.anchor);
+    high = high.cwiseMax(cable.anchor);
+  }
+  const Eigen::Vector3d foot(0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), high.z() + 2.0 * height);
+  const auto at = [&](double share) -> Eigen::Vector3d {
+    return foot + share * kLegendHeight * span * Eigen::Vector3d::UnitZ();
+  };
+  constexpr int kSteps = 24;
+  Marker bar = marker(header, "legend", 0, Marker::LINE_STRIP);
+  bar.scale.x = 0.6 * height;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double share = k / static_cast<double>(kSteps);
+    bar.points.push_back(toPoint(at(share)));
+    bar.colors.push_back(colour(share));
+  }
+  markers->markers.push_back(bar);
+  for (int k = 0; k < kLegendEntries; ++k) {
+    const double share = k / (kLegendEntries - 1.0);
+    const Eigen::Vector3d beside = at(share) + 3.0 * height * Eigen::Vector3d::UnitX();
+    markers->markers.push_back(label(header, "legend", static_cast<std::size_t>(k + 1), inNewton(scale.tension(share)),
+                                     beside, height, grey()));
+  }
+  markers->markers.push_back(label(header, "legend", kLegendEntries + 1, "tension at A",
+                                   at(1.0 + 1.6 * kTextHeight / kLegendHeight), height, grey()));
+}
+
+// A post below each anchor, to the floor.
+Marker framePosts(const RobotDescription& robot, const std_msgs::Header& header) {
+  Marker posts = marker(header, "frame", 0, Marker::LINE_LIST);
+  posts.scale.x = 0.6 * kLineWidth * robot.span();
+  posts.color = rgba(0.45, 0.45, 0.45, 1.0);
+  double floor = 0.0;
+  for (const CableDescription& cable : robot.cables) floor = std::min(floor, cable.anchor.z());
+  for (const CableDescription& cable : robot.cables) {
+    posts.points.push_back(toPoint(cable.anchor));
+    posts.points.push_back(toPoint({cable.anchor.x(), cable.anchor.y(), floor}));
+  }
+  return posts;
+}
+
+// The force that the cables hold, from the centre of mass: the platform's weight and the load.
+void addLoad(const RobotDescription& robot, const KinetostaticState& state, const Pose& pose,
+             visualization_msgs::MarkerArray* markers) {
+  const Eigen::Vector3d load(state.load.force.x, state.load.force.y, state.load.force.z);
+  const Eigen::Vector3d held = load - robot.weight() * Eigen::Vector3d::UnitZ();
+  const double scale = kLoadLength * robot.span() / robot.weight();
+  const Eigen::Vector3d start = pose.transform(robot.com);
+  Marker arrow = marker(state.header, "load", 0, Marker::ARROW);
+  arrow.points = {toPoint(start), toPoint(start + scale * held)};
+  arrow.scale.x = 2.0 * kLineWidth * robot.span();
+  arrow.scale.y = 3.0 * arrow.scale.x;
+  arrow.scale.z = 4.0 * arrow.scale.x;
+  arrow.color = rgba(1.0, 0.55, 0.1, 1.0);
+  markers->markers.push_back(arrow);
+  const std::string words = text("weight and load ", inNewton(held.norm()), ", load ", inNewton(load.norm()));
+  const Eigen::Vector3d below = start + scale * held - 1.2 * kTextHeight * robot.span() * Eigen::Vector3d::UnitZ();
+  markers->markers.push_back(label(state.header, "load", 1, words, below, kTextHeight * robot.span(), arrow.color));
+}
+
+}  // namespace
+
+Marker platformMarker(const RobotDescription& robot, const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
+  Marker m = marker(header, "platform", 0, Marker::CUBE);
   m.pose = pose;
-  m.pose.position = toPoint(fromMsg(pose).transform(0.5 * (low + high)));
+  m.pose.position = toPoint(fromMsg(pose).transform(middleOf(robot)));
   m.scale = toVector3(robot.size);
-  m.color = rgba(0.5, 0.6, 0.75, 0.85);
+  m.color = rgba(0.45, 0.6, 0.85, 0.55);
+  return m;
+}
+
+Marker platformOutline(const RobotDescription& robot, const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
+  Marker m = marker(header, "platform", 0, Marker::LINE_LIST);
+  m.scale.x = 0.6 * kLineWidth * robot.span();
+  m.color = rgba(0.2, 1.0, 0.3, 1.0);
+  const Pose platform = fromMsg(pose);
+  const auto corner = [&](int bits) {
+    const Eigen::Array3d side(bits & 1 ? 0.5 : -0.5, bits & 2 ? 0.5 : -0.5, bits & 4 ? 0.5 : -0.5);
+    return toPoint(platform.transform(middleOf(robot) + (side * robot.size.array()).matrix()));
+  };
+  for (int from = 0; from < 8; ++from) {
+    for (const int axis : {1, 2, 4}) {
+      if (from & axis) continue;
+      m.points.push_back(corner(from));
+      m.points.push_back(corner(from | axis));
+    }
+  }
   return m;
 }
 
@@ -134,13 +214,18 @@ visualization_msgs::MarkerArray cableMarkers(const RobotDescription& robot, cons
     line.color = colourOf(cable, outlier, scale);
     markers.markers.push_back(line);
 
+    // Neighbours' labels go to different places: cables often come in pairs.
+    const double height = 0.9 * kTextHeight * robot.span();
     const Eigen::Vector3d anchor = robot.cables[i].anchor;
-    const Eigen::Vector3d middle = anchor + 0.35 * (pose.transform(robot.cables[i].attachment) - anchor);
+    Eigen::Vector3d beside =
+        anchor + (i % 2 == 0 ? 0.22 : 0.45) * (pose.transform(robot.cables[i].attachment) - anchor);
+    beside.z() += 1.5 * height;
     const std::string words = cable.name + " " + inNewton(cable.tension_a) + (outlier ? ", outlier" : "");
-    markers.markers.push_back(
-        label(state.header, "tensions", i, words, middle, 0.8 * kTextHeight * robot.span(), line.color));
+    markers.markers.push_back(label(state.header, "tensions", i, words, beside, height, line.color));
   }
-  addLegend(robot, state, scale, &markers);
+  addLegend(robot, state.header, scale, &markers);
+  addLoad(robot, state, pose, &markers);
+  markers.markers.push_back(framePosts(robot, state.header));
   markers.markers.push_back(platformMarker(robot, state.header, state.pose.pose));
   return markers;
 }

@@ -5,9 +5,15 @@
 
 namespace cdpr_kinetostatics {
 
-namespace {
+Wrench rigLoad(const RigParameters& parameters, double time) {
+  Wrench load = Wrench::Zero();
+  for (const RigLoad& step : parameters.loads) {
+    if (step.time <= time) load = step.wrench;
+  }
+  return load;
+}
 
-Wrench drawn(const RigParameters& parameters, double time) {
+Wrench unknownRigLoad(const RigParameters& parameters, double time) {
   const RobotDescription& robot = parameters.robot;
   // Seeds of their own: the sensors' noise is the same with and without a drawn load.
   std::seed_seq seed{parameters.sensors.seed, static_cast<int>(std::floor(time)), 1};
@@ -16,17 +22,6 @@ Wrench drawn(const RigParameters& parameters, double time) {
   Wrench load;
   for (Eigen::Index k = 0; k < 6; ++k) load(k) = parameters.load_noise * robot.weight() * normal(random);
   load.tail<3>() *= robot.type == PlatformType::kPointMass ? 0.0 : robot.platformRadius();
-  return load;
-}
-
-}  // namespace
-
-Wrench rigLoad(const RigParameters& parameters, double time) {
-  Wrench load = Wrench::Zero();
-  for (const RigLoad& step : parameters.loads) {
-    if (step.time <= time) load = step.wrench;
-  }
-  if (parameters.load_noise > 0.0) load += drawn(parameters, time);
   return load;
 }
 

@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kDefaultRadius = 0.05;  // in spans of the frame
 constexpr double kMarkerSize = 0.1;      // in spans of the frame
-constexpr double kTruthScale = 1.03;     // so that the estimate does not hide it
 
 visualization_msgs::InteractiveMarkerControl control(const Eigen::Vector3d& axis, std::uint8_t mode,
                                                      const std::string& name) {
@@ -114,13 +113,13 @@ void RigSimulator::offerTargetMarker() {
   target_marker_->applyChanges();
 }
 
-// 0 if a lap is not a whole number of steps, or too long to be remembered.
+// 0 if laps differ, if one is not a whole number of steps, or too long to be remembered.
 std::size_t RigSimulator::stepsOfLap() const {
   constexpr double kMost = 100000;
   const double steps = path_.duration() * parameters_.rate;
   const bool whole = std::abs(steps - std::round(steps)) < 1e-9 * steps;
-  const bool fixed = parameters_.path.kind != RigPath::Kind::kTarget;
-  return fixed && whole && steps < kMost ? static_cast<std::size_t>(std::round(steps)) : 0;
+  const bool same = parameters_.path.kind != RigPath::Kind::kTarget && parameters_.load_noise == 0.0;
+  return same && whole && steps < kMost ? static_cast<std::size_t>(std::round(steps)) : 0;
 }
 
 Pose RigSimulator::wantedPose(std::uint64_t step) const {
@@ -129,32 +128,33 @@ Pose RigSimulator::wantedPose(std::uint64_t step) const {
 }
 
 std::optional<RigTruth> RigSimulator::truthAt(std::uint64_t step) {
-  const Wrench load = rigLoad(parameters_, static_cast<double>(step) / parameters_.rate);
+  const double time = static_cast<double>(step) / parameters_.rate;
+  const Wrench load = rigLoad(parameters_, time);
   const Pose wanted = wantedPose(step);
   if (const RigTruth* known = lap_.find(step, load)) {
     pose_ = wanted;
     return *known;
   }
   RigTruth truth;
-  const Status status = solveRig(parameters_, wanted, load, parameters_.model, &truth);
+  Status status = solveRig(parameters_, wanted, load, parameters_.model, &truth);
   if (status.ok()) {
     pose_ = wanted;
     lap_.remember(step, load, truth);
-    return truth;
+  } else {
+    ROS_WARN_STREAM_THROTTLE(5.0, "the platform stays where it is: " << status.message);
+    status = solveRig(parameters_, pose_, load, parameters_.model, &truth);
   }
-  ROS_WARN_STREAM_THROTTLE(5.0, "the platform stays where it is: " << status.message);
-  if (solveRig(parameters_, pose_, load, parameters_.model, &truth).ok()) return truth;
+  if (status.ok() && parameters_.load_noise > 0.0) {
+    status = disturbRig(parameters_, load + unknownRigLoad(parameters_, time), &truth);
+  }
+  if (status.ok()) return truth;
+  ROS_WARN_STREAM_THROTTLE(5.0, "no measurement: " << status.message);
   return std::nullopt;
 }
 
 void RigSimulator::showPlatform(const geometry_msgs::PoseStamped& pose) const {
   if (true_platform_.getNumSubscribers() == 0) return;
-  visualization_msgs::Marker platform = platformMarker(parameters_.robot, pose.header, pose.pose);
-  platform.color = rgba(0.2, 0.9, 0.3, 0.35);
-  platform.scale.x *= kTruthScale;
-  platform.scale.y *= kTruthScale;
-  platform.scale.z *= kTruthScale;
-  true_platform_.publish(platform);
+  true_platform_.publish(platformOutline(parameters_.robot, pose.header, pose.pose));
 }
 
 void RigSimulator::step(std::uint64_t step) {

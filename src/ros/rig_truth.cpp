@@ -1,8 +1,31 @@
 #include "cdpr_kinetostatics/ros/rig_truth.h"
 
+#include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 
 namespace cdpr_kinetostatics {
+
+namespace {
+
+RobotSolverOptions optionsOf(const RigParameters& parameters, Model model) {
+  RobotSolverOptions options;
+  options.model = model;
+  options.tolerance = parameters.tolerance;
+  options.timeout = std::chrono::duration<double>(5.0);
+  return options;
+}
+
+RigTruth truthOf(const RobotSolution& solution) {
+  RigTruth truth;
+  truth.pose = solution.pose;
+  for (const CableResult& cable : solution.cables) {
+    truth.lengths.push_back(cable.cable.length);
+    truth.tensions.push_back(cable.cable.tension_a);
+  }
+  return truth;
+}
+
+}  // namespace
 
 Status solveRig(const RigParameters& parameters, const Pose& pose, const Wrench& load, Model model, RigTruth* truth) {
   const RobotDescription& robot = parameters.robot;
@@ -10,17 +33,18 @@ Status solveRig(const RigParameters& parameters, const Pose& pose, const Wrench&
   request.pose = pose;
   request.free_orientation = robot.type == PlatformType::kRigidBody && robot.cables.size() < 6;
   request.external_wrench = load;
-  RobotSolverOptions options;
-  options.model = model;
-  options.tolerance = parameters.tolerance;
-  options.timeout = std::chrono::duration<double>(5.0);
-  const RobotSolution solution = solveInverse(robot, request, options);
-  *truth = RigTruth();
-  truth->pose = solution.pose;
-  for (const CableResult& cable : solution.cables) {
-    truth->lengths.push_back(cable.cable.length);
-    truth->tensions.push_back(cable.cable.tension_a);
-  }
+  const RobotSolution solution = solveInverse(robot, request, optionsOf(parameters, model));
+  *truth = truthOf(solution);
+  return solution.report.status;
+}
+
+Status disturbRig(const RigParameters& parameters, const Wrench& load, RigTruth* truth) {
+  ForwardRequest request;
+  request.lengths = truth->lengths;
+  request.external_wrench = load;
+  request.seed = truth->pose;
+  const RobotSolution solution = solveForward(parameters.robot, request, optionsOf(parameters, parameters.model));
+  *truth = truthOf(solution);
   return solution.report.status;
 }
 

@@ -11,7 +11,7 @@
 namespace cdpr_kinetostatics {
 
 struct RigTruth {
-  Pose pose;                     // as reached: an attitude left free differs from the one asked for
+  Pose pose;                     // as reached: a free attitude or an unknown load take it away from the one asked for
   std::vector<double> lengths;   // unstrained [m]
   std::vector<double> tensions;  // at A [N]
 };
@@ -19,6 +19,9 @@ struct RigTruth {
 // Inverse kinetostatics; robots with fewer than six cables take the attitude that balances. If the pose cannot be held,
 // the status says why and the truth is not to be used.
 Status solveRig(const RigParameters& parameters, const Pose& pose, const Wrench& load, Model model, RigTruth* truth);
+
+// Forward kinetostatics: where the platform of `truth` goes under another load, at the lengths that it has.
+Status disturbRig(const RigParameters& parameters, const Wrench& load, RigTruth* truth);
 
 // Truths of one lap of a path: those that follow need no solves, so that the rig can be faster than they are.
 class RigLap {

@@ -18,7 +18,7 @@ constexpr double kTextHeight = 0.018;
 constexpr double kLegendHeight = 0.14;
 constexpr double kLoadLength = 0.12;  // of the arrow, if the load is the platform's weight alone
 
-constexpr int kLegendEntries = 5;
+constexpr std::size_t kLegendEntries = 5;
 
 std_msgs::ColorRGBA rgba(double red, double green, double blue, double alpha) {
   std_msgs::ColorRGBA color;
@@ -128,11 +128,10 @@ void addLegend(const RobotDescription& robot, const std_msgs::Header& header, co
     bar.colors.push_back(colour(share));
   }
   markers->markers.push_back(bar);
-  for (int k = 0; k < kLegendEntries; ++k) {
-    const double share = k / (kLegendEntries - 1.0);
+  for (std::size_t k = 0; k < kLegendEntries; ++k) {
+    const double share = static_cast<double>(k) / (kLegendEntries - 1.0);
     const Eigen::Vector3d beside = at(share) + 3.0 * height * Eigen::Vector3d::UnitX();
-    markers->markers.push_back(label(header, "legend", static_cast<std::size_t>(k + 1), inNewton(scale.tension(share)),
-                                     beside, height, grey()));
+    markers->markers.push_back(label(header, "legend", k + 1, inNewton(scale.tension(share)), beside, height, grey()));
   }
   markers->markers.push_back(label(header, "legend", kLegendEntries + 1, "tension at A",
                                    at(1.0 + 1.6 * kTextHeight / kLegendHeight), height, grey()));

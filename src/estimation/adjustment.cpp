@@ -2,10 +2,11 @@
 
 #include <ceres/ceres.h>
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "adjustment_statistics.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -15,9 +16,6 @@ constexpr int kMaxIterations = 100;
 
 // B below A is taken this share of the length beside it.
 constexpr double kBeside = 1e-9;
-
-// A column of the Jacobian adds to its rank if more than this share of it is new.
-constexpr double kRank = 1e-9;
 
 // The selected measurements, in the order of the cost's residuals.
 std::vector<Observation> observationsOf(const RobotDescription& robot, const Selection& selection) {
@@ -34,40 +32,17 @@ std::vector<Observation> observationsOf(const RobotDescription& robot, const Sel
   return observations;
 }
 
-// Redundancy of each observation, and the information on the pose once the cables' unknowns are eliminated.
-// The Jacobian's columns: pose first, then the cables.
-void analyse(const Eigen::MatrixXd& jacobian, Eigen::Index freedoms, Adjusted* adjusted) {
-  const Eigen::VectorXd norms = jacobian.colwise().norm().cwiseMax(1e-300);
-  const Eigen::MatrixXd scaled = jacobian * norms.cwiseInverse().asDiagonal();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> all(scaled);
-  all.setThreshold(kRank);
-  const Eigen::MatrixXd range = all.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), all.rank());
-  adjusted->redundancy = -static_cast<int>(all.rank());
-  std::vector<Observation> used;
-  for (std::size_t k = 0; k < adjusted->observations.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    if (jacobian.row(row).squaredNorm() == 0.0) continue;  // a component of the load that is not known
-    Observation observation = adjusted->observations[k];
-    observation.redundancy = 1.0 - range.row(row).squaredNorm();
-    adjusted->weighted_squares += observation.residual * observation.residual;
-    ++adjusted->redundancy;
-    used.push_back(observation);
-  }
-  adjusted->observations = used;
-
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> cables(scaled.rightCols(jacobian.cols() - freedoms));
-  cables.setThreshold(kRank);
-  const Eigen::MatrixXd pose = cables.householderQ().transpose() * jacobian.leftCols(freedoms);
-  const Eigen::MatrixXd left = pose.bottomRows(pose.rows() - cables.rank());
-  adjusted->information = left.transpose() * left;
-}
-
 Eigen::MatrixXd dense(const ceres::CRSMatrix& sparse) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(sparse.num_rows, sparse.num_cols);
   for (int row = 0; row < sparse.num_rows; ++row) {
     for (int k = sparse.rows[row]; k < sparse.rows[row + 1]; ++k) matrix(row, sparse.cols[k]) = sparse.values[k];
   }
   return matrix;
+}
+
+// Of the symmetric part.
+bool isNegativeDefinite(const Eigen::MatrixXd& matrix) {
+  return (-0.5 * (matrix + matrix.transpose())).llt().info() == Eigen::Success;
 }
 
 }  // namespace
@@ -139,7 +114,12 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   for (std::size_t k = 0; k < residuals.size(); ++k) adjusted.observations[k].residual = residuals[k];
   Eigen::MatrixXd jacobian = dense(sparse);
   if (rigid) jacobian.middleCols<3>(3) *= 0.5;  // the manifold's tangent is half the rotation vector
-  analyse(jacobian, robot.freedoms(), &adjusted);
+  const Eigen::Index freedoms = robot.freedoms();
+  const LoadBalance balance = cost->loadBalance(adjusted.unknowns.pose, densities.data());
+  Eigen::MatrixXd load(freedoms, jacobian.cols());
+  load << balance.by_pose.topLeftCorner(freedoms, freedoms), balance.by_density.topRows(freedoms);
+  analyse(jacobian, load, &adjusted);
+  adjusted.stable = isNegativeDefinite(cost->stiffness(balance).topLeftCorner(freedoms, freedoms));
   return adjusted;
 }
 

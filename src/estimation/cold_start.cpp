@@ -22,11 +22,11 @@ RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iter
   static_cast<void>(roughStart(robot, Wrench::Zero(), lengths, measured.deadline, &start, iterations));
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const std::optional<double>& tension = measured.measurements.tensions[i];
-    if (!tension || *tension == 0.0) continue;
+    const double weight = robot.cables[i].properties.weight * lengths[i];
+    if (!tension || *tension <= 0.5 * weight) continue;  // as slack as its length makes it
     const CableLine line = cableLine(robot.cables[i], start.pose);
     const double chord = std::hypot(line.x, line.w);
     if (lengths[i] > kSlack * chord) continue;
-    const double weight = robot.cables[i].properties.weight * lengths[i];
     start.forces[i] = {*tension * line.x / chord, 0.5 * weight - *tension * line.w / chord};
   }
   return start;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "fault_search.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -60,18 +61,22 @@ Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
                                                                      : 0.0);
     estimate.tension_residual.push_back(measured.available.tensions[i] ? *measured.measurements.tensions[i] - tension
                                                                        : 0.0);
-    estimate.length_outlier.push_back(measured.available.lengths[i] && !candidate.selection.lengths[i]);
-    estimate.tension_outlier.push_back(measured.available.tensions[i] && !candidate.selection.tensions[i]);
   }
   estimate.load = -cables - loadWrench(robot, at.pose, Wrench::Zero());
   if (robot.type == PlatformType::kPointMass) estimate.load.tail<3>().setZero();
+  const auto n = static_cast<Eigen::Index>(robot.freedoms());
+  estimate.load_covariance = kUnknownVariance * Eigen::Matrix<double, 6, 6>::Identity();
+  estimate.load_covariance.topLeftCorner(n, n) = adjusted.load_covariance;
   estimate.length_redundancy.assign(robot.cables.size(), 0.0);
   estimate.tension_redundancy.assign(robot.cables.size(), 0.0);
   for (const Observation& o : adjusted.observations) {
     if (o.kind == Observation::Kind::kLength) estimate.length_redundancy[o.index] = o.redundancy;
     if (o.kind == Observation::Kind::kTension) estimate.tension_redundancy[o.index] = o.redundancy;
   }
-  estimate.load_outlier = measured.available.load && !candidate.selection.load;
+  const Selection left_out = leftOut(measured, candidate);
+  estimate.length_outlier = left_out.lengths;
+  estimate.tension_outlier = left_out.tensions;
+  estimate.load_outlier = left_out.load;
   estimate.weighted_squares = adjusted.weighted_squares;
   estimate.redundancy = adjusted.redundancy;
   fillCovariance(robot, adjusted.information, &estimate);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace cdpr_kinetostatics {
@@ -49,28 +50,6 @@ double jumpLimit(std::vector<double> jumps, double stddev, double threshold) {
   return kJump * std::max(jumps[jumps.size() / 2], stddev) + threshold * stddev;
 }
 
-}  // namespace
-
-Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
-  Candidate candidate = adjust(measured, start, selection);
-  while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0) {
-    std::vector<Observation> worst = suspects(candidate.adjusted.observations, measured.options.outlier_threshold);
-    if (worst.empty()) break;
-    if (worst.size() > kSuspects) worst.erase(worst.begin() + kSuspects, worst.end());
-    std::optional<Candidate> best;
-    for (const Observation& suspect : worst) {
-      Selection without = candidate.selection;
-      leaveOut(suspect, &without);
-      Candidate trial = adjust(measured, start, without);
-      if (!trial.adjusted.status.ok()) continue;
-      if (!best || trial.adjusted.weighted_squares < best->adjusted.weighted_squares) best = std::move(trial);
-    }
-    if (!best) break;
-    candidate = std::move(*best);
-  }
-  return candidate;
-}
-
 void leaveOutJumps(const MeasuredRobot& measured, const RobotForces& last, Selection* selection) {
   const EstimatorOptions& options = measured.options;
   std::vector<double> lengths, tensions;
@@ -106,10 +85,82 @@ void takeBack(const MeasuredRobot& measured, const RobotForces& start, Candidate
     with.tensions[i] = measured.available.tensions[i];
     if (with.tensions[i] != candidate->selection.tensions[i]) attempt(with);
   }
+  for (Eigen::Index k = 0; k < measured.available.load.size(); ++k) {
+    Selection with = candidate->selection;
+    with.load(k) = measured.available.load(k);
+    if (with.load(k) != candidate->selection.load(k)) attempt(with);
+  }
 }
 
-bool isGood(const Adjusted& adjusted, double threshold) {
+bool explains(const MeasuredRobot& measured, const Candidate& candidate) {
+  const Adjusted& adjusted = candidate.adjusted;
+  const double threshold = measured.options.outlier_threshold;
   return adjusted.status.ok() && adjusted.weighted_squares < threshold * threshold * std::max(adjusted.redundancy, 1);
+}
+
+int count(const Selection& selection) {
+  return static_cast<int>(std::count(selection.lengths.begin(), selection.lengths.end(), true) +
+                          std::count(selection.tensions.begin(), selection.tensions.end(), true) +
+                          selection.load.count());
+}
+
+}  // namespace
+
+Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
+  Candidate candidate = adjust(measured, start, selection);
+  while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0) {
+    std::vector<Observation> worst = suspects(candidate.adjusted.observations, measured.options.outlier_threshold);
+    if (worst.empty()) break;
+    if (worst.size() > kSuspects) worst.erase(worst.begin() + kSuspects, worst.end());
+    std::optional<Candidate> best;
+    for (const Observation& suspect : worst) {
+      Selection without = candidate.selection;
+      leaveOut(suspect, &without);
+      Candidate trial = adjust(measured, start, without);
+      if (!trial.adjusted.status.ok()) continue;
+      if (!best || trial.adjusted.weighted_squares < best->adjusted.weighted_squares) best = std::move(trial);
+    }
+    if (!best) break;
+    candidate = std::move(*best);
+  }
+  return candidate;
+}
+
+Candidate adjustFrom(const MeasuredRobot& measured, const RobotForces& last, const Selection& left_out) {
+  Selection selection = measured.available;
+  for (std::size_t i = 0; i < measured.robot.cables.size(); ++i) {
+    if (left_out.lengths[i]) selection.lengths[i] = false;
+    if (left_out.tensions[i]) selection.tensions[i] = false;
+  }
+  selection.load = selection.load && !left_out.load;
+  leaveOutJumps(measured, last, &selection);
+  Candidate candidate = leaveOutFaults(measured, last, selection);
+  if (candidate.adjusted.status.ok()) takeBack(measured, last, &candidate);
+  return candidate;
+}
+
+Selection leftOut(const MeasuredRobot& measured, const Candidate& candidate) {
+  Selection left_out;
+  for (std::size_t i = 0; i < measured.robot.cables.size(); ++i) {
+    left_out.lengths.push_back(measured.available.lengths[i] && !candidate.selection.lengths[i]);
+    left_out.tensions.push_back(measured.available.tensions[i] && !candidate.selection.tensions[i]);
+  }
+  left_out.load = measured.available.load && !candidate.selection.load;
+  return left_out;
+}
+
+bool isTrusted(const MeasuredRobot& measured, const Candidate& candidate) {
+  return explains(measured, candidate) && candidate.adjusted.stable &&
+         count(leftOut(measured, candidate)) <= candidate.adjusted.redundancy;
+}
+
+bool isBetter(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
+  const auto rank = [&](const Candidate& c) {
+    const Adjusted& adjusted = c.adjusted;
+    return std::make_tuple(adjusted.status.ok(), explains(measured, c), adjusted.stable, adjusted.redundancy,
+                           -adjusted.weighted_squares);
+  };
+  return rank(a) > rank(b);
 }
 
 }  // namespace cdpr_kinetostatics

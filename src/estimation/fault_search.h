@@ -9,14 +9,18 @@ namespace cdpr_kinetostatics {
 // shows in many residuals: which of the worst ones is at fault, leaving each out in turn tells.
 Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection);
 
-// Leaves out what has jumped since the last estimate while most measurements have not: a drum's turn bends the
-// estimate so far that its residual no longer tells it from others. What agrees in the end is taken back.
-void leaveOutJumps(const MeasuredRobot& measured, const RobotForces& last, Selection* selection);
+// The same from the last estimate. What that left out, and what has jumped since while most measurements have not, is
+// mistrusted at first and taken back, one by one, if it does not disturb: a drum's turn bends the estimate so far that
+// its residual no longer tells it from others.
+Candidate adjustFrom(const MeasuredRobot& measured, const RobotForces& last, const Selection& left_out);
 
-// Takes back, one by one, what was left out on suspicion and does not disturb.
-void takeBack(const MeasuredRobot& measured, const RobotForces& start, Candidate* candidate);
+// What the candidate leaves out of all that was measured or is known.
+Selection leftOut(const MeasuredRobot& measured, const Candidate& candidate);
 
-// An adjustment that explains its measurements within what the threshold lets pass.
-bool isGood(const Adjusted& adjusted, double threshold);
+// A stable pose that explains the measurements within what the threshold lets pass, with most of the redundancy intact.
+bool isTrusted(const MeasuredRobot& measured, const Candidate& candidate);
+
+// Whether a is the better answer to the same measurements.
+bool isBetter(const MeasuredRobot& measured, const Candidate& a, const Candidate& b);
 
 }  // namespace cdpr_kinetostatics

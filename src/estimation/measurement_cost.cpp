@@ -81,6 +81,42 @@ bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) con
   return false;
 }
 
+LoadBalance MeasurementCost::loadBalance(const Pose& pose, const double* densities) const {
+  LoadBalance balance;
+  balance.total = loadWrench(robot_, pose, Wrench::Zero());
+  balance.by_pose = weightStiffness(robot_, pose);
+  balance.by_density.resize(6, static_cast<Eigen::Index>(cables_.size()));
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    const Sensitivity& s = sensitivities_[i];
+    const double q = robot_.cables[i].properties.weight;
+    const double density = densities[i];
+    const Eigen::Vector3d force =
+        forceOnPlatform(s.line, cables_[i].horizontalForce(), cables_[i].verticalForceA(), q * cables_[i].length());
+    const Eigen::RowVector3d vertical(0.0, 1.0, -q);
+    Eigen::Matrix<double, 3, 6> motion;
+    motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
+    Eigen::Matrix<double, 3, 6> force_by_pose = Eigen::Vector3d(-density, -density, 0.0).asDiagonal() * motion;
+    force_by_pose.row(2) = vertical * s.by_pose;
+    const Eigen::Vector3d force_by_density =
+        -s.line.x * s.line.direction + vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
+    balance.total += wrenchAt(s.line.arm, force);
+    balance.by_pose.topRows<3>() += force_by_pose;
+    balance.by_pose.bottomRows<3>() += cross(s.line.arm) * force_by_pose;
+    balance.by_pose.bottomRightCorner<3, 3>() += cross(force) * cross(s.line.arm);
+    balance.by_density.col(static_cast<Eigen::Index>(i)) = wrenchAt(s.line.arm, force_by_density);
+  }
+  return balance;
+}
+
+Eigen::Matrix<double, 6, 6> MeasurementCost::stiffness(const LoadBalance& balance) const {
+  Eigen::Matrix<double, 6, 6> stiffness = balance.by_pose;
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    const Sensitivity& s = sensitivities_[i];
+    stiffness -= balance.by_density.col(static_cast<Eigen::Index>(i)) * s.by_pose.row(2) / s.by_density.z();
+  }
+  return stiffness;
+}
+
 bool MeasurementCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const Eigen::Quaterniond orientation(parameters[1]);
   const Pose pose{Eigen::Vector3d(parameters[0]), orientation};
@@ -115,31 +151,10 @@ bool MeasurementCost::Evaluate(double const* const* parameters, double* residual
   if (selection_.load.any()) {
     const Eigen::Index rows = robot_.freedoms();
     const Eigen::Array<double, 6, 1> weight = selection_.load.cast<double>() / options_.load_stddev.array();
-    Wrench total = loadWrench(robot_, pose, Wrench::Zero());
-    Eigen::Matrix<double, 6, 6> total_by_pose = weightStiffness(robot_, pose);
-    Eigen::MatrixXd total_by_density(6, n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Sensitivity& s = sensitivities_[i];
-      const double q = robot_.cables[i].properties.weight;
-      const double density = parameters[2][i];
-      const Eigen::Vector3d force =
-          forceOnPlatform(s.line, cables_[i].horizontalForce(), cables_[i].verticalForceA(), q * cables_[i].length());
-      const Eigen::RowVector3d vertical(0.0, 1.0, -q);
-      Eigen::Matrix<double, 3, 6> motion;
-      motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
-      Eigen::Matrix<double, 3, 6> force_by_pose = Eigen::Vector3d(-density, -density, 0.0).asDiagonal() * motion;
-      force_by_pose.row(2) = vertical * s.by_pose;
-      const Eigen::Vector3d force_by_density =
-          -s.line.x * s.line.direction + vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
-      total += wrenchAt(s.line.arm, force);
-      total_by_pose.topRows<3>() += force_by_pose;
-      total_by_pose.bottomRows<3>() += cross(s.line.arm) * force_by_pose;
-      total_by_pose.bottomRightCorner<3, 3>() += cross(force) * cross(s.line.arm);
-      total_by_density.col(i) = wrenchAt(s.line.arm, force_by_density);
-    }
-    Eigen::Map<Eigen::ArrayXd>(residuals + row, rows) = (weight * total.array()).head(rows);
-    by_pose.bottomRows(rows) = (weight.matrix().asDiagonal() * total_by_pose).topRows(rows);
-    by_density.bottomRows(rows) = (weight.matrix().asDiagonal() * total_by_density).topRows(rows);
+    const LoadBalance balance = loadBalance(pose, parameters[2]);
+    Eigen::Map<Eigen::ArrayXd>(residuals + row, rows) = (weight * balance.total.array()).head(rows);
+    by_pose.bottomRows(rows) = (weight.matrix().asDiagonal() * balance.by_pose).topRows(rows);
+    by_density.bottomRows(rows) = (weight.matrix().asDiagonal() * balance.by_density).topRows(rows);
   }
   if (jacobians == nullptr) return true;
   if (jacobians[0] != nullptr) Eigen::Map<RowMajor>(jacobians[0], num_residuals(), 3) = by_pose.leftCols<3>();

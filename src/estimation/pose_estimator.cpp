@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "cold_start.h"
@@ -13,6 +14,9 @@ namespace cdpr_kinetostatics {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double kMaxLength = 1e6;    // [m]
+constexpr double kMaxTension = 1e12;  // [N]
 
 Status checkMeasurements(const RobotDescription& robot, const CableMeasurements& measurements) {
   const std::size_t n = robot.cables.size();
@@ -25,9 +29,9 @@ Status checkMeasurements(const RobotDescription& robot, const CableMeasurements&
   for (std::size_t i = 0; i < n; ++i) {
     const double length = measurements.lengths[i].value_or(1.0);
     const double tension = measurements.tensions[i].value_or(1.0);
-    if (length > 0.0 && length <= 1e6 && tension >= 0.0 && tension <= 1e12) continue;
-    text << "cable '" << robot.cables[i].name << "': length " << length << " m must be positive, tension " << tension
-         << " N zero or positive";
+    if (length > 0.0 && length <= kMaxLength && std::abs(tension) <= kMaxTension) continue;
+    text << "cable '" << robot.cables[i].name << "': length " << length << " m must be positive and at most "
+         << kMaxLength << " m, tension " << tension << " N within " << kMaxTension << " N of zero";
     return {Code::kInvalidInput, text.str()};
   }
   return {Code::kConverged, ""};
@@ -51,69 +55,65 @@ Selection available(const RobotDescription& robot, const EstimatorOptions& optio
 }  // namespace
 
 PoseEstimator::PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options)
-    : robot_(robot), options_(options), seed_(robot.home) {}
+    : robot_(robot), options_(options), seed_(robot.home), near_(robot.home) {}
 
 Estimate PoseEstimator::update(const CableMeasurements& measurements) {
   const Clock::time_point begin = Clock::now();
   const Status check = checkMeasurements(robot_, measurements);
   Estimate estimate;
-  if (!check.ok()) {
+  if (check.ok()) {
+    const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options_.timeout);
+    estimate = solve({robot_, options_, measurements, deadline, available(robot_, options_, measurements)});
+  } else {
     estimate.solution = refusedRobot(options_.model, check);
-    return estimate;
   }
-  const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options_.timeout);
-  const MeasuredRobot measured{robot_, options_, measurements, deadline, available(robot_, options_, measurements)};
-  Candidate best;
-  const bool warm = last_.has_value();
-  if (warm) {
-    Selection selection = measured.available;
-    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-      if (last_length_outlier_[i]) selection.lengths[i] = false;
-      if (last_tension_outlier_[i]) selection.tensions[i] = false;
-    }
-    leaveOutJumps(measured, *last_, &selection);
-    best = leaveOutFaults(measured, *last_, selection);
-    if (best.adjusted.status.ok()) takeBack(measured, *last_, &best);
-  }
-  estimate.warm_started = warm;
-  int iterations = best.adjusted.iterations;
-  if (!warm || !isGood(best.adjusted, options_.outlier_threshold)) {
-    const RobotForces start = coldStart(measured, warm ? last_->pose : seed_, &iterations);
-    const Candidate cold = leaveOutFaults(measured, start, measured.available);
-    iterations += cold.adjusted.iterations;
-    const bool better =
-        !best.adjusted.status.ok() ||
-        (cold.adjusted.status.ok() && (cold.adjusted.redundancy > best.adjusted.redundancy ||
-                                       cold.adjusted.weighted_squares < best.adjusted.weighted_squares));
-    if (better) {
-      best = cold;
-      estimate.warm_started = false;
-    }
-  }
-  if (!best.adjusted.status.ok()) {
-    last_.reset();
-    estimate.solution = refusedRobot(options_.model, best.adjusted.status);
-    return estimate;
-  }
-  const bool warm_started = estimate.warm_started;
-  estimate = report(measured, best);
-  estimate.warm_started = warm_started;
-  estimate.solution.report.iterations = iterations;
-  last_ = best.adjusted.unknowns;
-  last_length_outlier_ = estimate.length_outlier;
-  last_tension_outlier_ = estimate.tension_outlier;
   estimate.solution.report.solve_time = std::chrono::duration<double>(Clock::now() - begin).count();
   return estimate;
 }
 
-void PoseEstimator::reset() {
-  last_.reset();
-  seed_ = robot_.home;
+Estimate PoseEstimator::solve(const MeasuredRobot& measured) {
+  Candidate best;
+  bool warm_started = false;
+  int iterations = 0;
+  if (last_) {
+    best = adjustFrom(measured, *last_, left_out_);
+    warm_started = true;
+    iterations = best.adjusted.iterations;
+  }
+  const bool moved = near_.position != seed_.position || near_.orientation.coeffs() != seed_.orientation.coeffs();
+  for (const Pose* seed : {&near_, &seed_}) {
+    if (isTrusted(measured, best) || (seed == &seed_ && !moved)) break;
+    Candidate cold = leaveOutFaults(measured, coldStart(measured, *seed, &iterations), measured.available);
+    iterations += cold.adjusted.iterations;
+    if (!isBetter(measured, cold, best)) continue;
+    best = std::move(cold);
+    warm_started = false;
+  }
+  Status status = best.adjusted.status;
+  if (Clock::now() > measured.deadline) {
+    status = {Code::kTimedOut, "the time allowed ran out before it was certain which pose explains the measurements"};
+  }
+  Estimate estimate;
+  if (status.ok()) {
+    estimate = report(measured, best);
+    estimate.warm_started = warm_started;
+    last_ = best.adjusted.unknowns;
+    left_out_ = leftOut(measured, best);
+    near_ = last_->pose;
+  } else {
+    estimate.solution = refusedRobot(options_.model, status);
+    if (!last_) near_ = seed_;  // one step back at a time: another start may need less time
+    last_.reset();
+  }
+  estimate.solution.report.iterations = iterations;
+  return estimate;
 }
+
+void PoseEstimator::reset() { setPose(robot_.home); }
 
 void PoseEstimator::setPose(const Pose& seed) {
   last_.reset();
-  seed_ = seed;
+  seed_ = near_ = seed;
 }
 
 }  // namespace cdpr_kinetostatics

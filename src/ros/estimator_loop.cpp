@@ -17,8 +17,7 @@ constexpr std::uint32_t kReceiveQueue = 10000;
 EstimatorLoop::EstimatorLoop(const ros::NodeHandle& handle, const NodeParameters& parameters)
     : parameters_(parameters),
       output_(handle, parameters),
-      input_(parameters.robot, parameters.max_age,
-             parameters.estimator.outlier_threshold * parameters.estimator.tension_stddev),
+      input_(parameters.robot, parameters.max_age),
       queue_(static_cast<std::size_t>(parameters.queue_size)),
       estimator_(parameters.robot, parameters.estimator),
       receiver_(1, &callbacks_) {

@@ -9,8 +9,7 @@
 
 namespace cdpr_kinetostatics {
 
-MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age, double lowest_tension)
-    : robot_(robot), max_age_(max_age), lowest_tension_(lowest_tension) {}
+MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age) : robot_(robot), max_age_(max_age) {}
 
 void MeasurementInput::reset() {
   last_stamp_ = last_now_ = ros::Time();
@@ -91,10 +90,11 @@ void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableM
     }
     if (message.effort.empty()) continue;
     const double tension = message.effort[k];
-    if (tension > -lowest_tension_ && tension <= kMaxForce) {
-      cables->tensions[i] = std::max(0.0, tension);
+    if (std::abs(tension) <= kMaxForce) {
+      cables->tensions[i] = tension;
     } else if (!std::isnan(tension)) {
-      note(&counts_.impossible, text("the tension of ", found->name, " is ", tension, " N: expected 0 or more"));
+      note(&counts_.impossible,
+           text("the tension of ", found->name, " is ", tension, " N: expected at most ", kMaxForce, " N"));
     }
   }
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
 #include "simulated_measurements.h"
 
 namespace cdpr_kinetostatics {
@@ -11,7 +15,7 @@ class EveryRobot : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(EveryRobot, WithoutNoiseFindsThePoseTheForcesAndNoLoad) {
   for (const Model model : {Model::kCatenary, Model::kBending}) {
-    SimulatedRobot simulated = simulatedRobot(GetParam(), model);
+    SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, GetParam(), model);
     PoseEstimator estimator(simulated.robot, simulated.estimator);
     const Estimate estimate = estimator.update(simulated.measure(simulated.truth, 0.0));
     ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
@@ -28,7 +32,7 @@ TEST_P(EveryRobot, WithoutNoiseFindsThePoseTheForcesAndNoLoad) {
 }
 
 TEST_P(EveryRobot, LengthsAloneGiveForwardKinetostaticsWithACovariance) {
-  SimulatedRobot simulated = simulatedRobot(GetParam());
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, GetParam());
   CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
   for (auto& tension : measurements.tensions) tension.reset();
   PoseEstimator estimator(simulated.robot, simulated.estimator);
@@ -42,30 +46,35 @@ TEST_P(EveryRobot, LengthsAloneGiveForwardKinetostaticsWithACovariance) {
 }
 
 TEST_P(EveryRobot, CovariancePredictsTheError) {
-  SimulatedRobot simulated = simulatedRobot(GetParam());
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, GetParam());
   PoseEstimator estimator(simulated.robot, simulated.estimator);
   const int n = simulated.robot.freedoms();
   constexpr int kSamples = 2000;
   double nees = 0.0;
+  double load_nees = 0.0;
   int outliers = 0;
   for (int i = 0; i < kSamples; ++i) {
-    const RobotSolution truth = simulated.under(simulated.randomLoad());
+    const Wrench load = simulated.randomLoad();
+    const RobotSolution truth = simulated.under(load);
     ASSERT_TRUE(truth.report.status.ok()) << truth.report.status.message;
     const Estimate estimate = estimator.update(simulated.measure(truth, 1.0));
     ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
     const Wrench error = poseError(estimate.solution.pose, truth.pose);
     nees += error.head(n).dot(estimate.covariance.topLeftCorner(n, n).ldlt().solve(error.head(n)));
+    const Wrench load_error = estimate.load - load;
+    load_nees += load_error.head(n).dot(estimate.load_covariance.topLeftCorner(n, n).ldlt().solve(load_error.head(n)));
     for (std::size_t k = 0; k < simulated.robot.cables.size(); ++k) {
       outliers += static_cast<int>(estimate.length_outlier[k]) + static_cast<int>(estimate.tension_outlier[k]);
     }
   }
   EXPECT_NEAR(nees / kSamples, n, 0.05 * n);
+  EXPECT_NEAR(load_nees / kSamples, n, 0.05 * n);
   EXPECT_EQ(outliers, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryRobot,
                          ::testing::Values("cogiro", "ipanema3", "caroca", "desktop_music_wire", "scampi",
-                                           "paper_point_mass"));
+                                           "paper_point_mass", "fast"));
 
 struct Fault {
   const char* name;
@@ -77,7 +86,7 @@ class FaultyCable : public ::testing::TestWithParam<const char*> {};
 
 // A drum turn of 0.3 m, scaled to robots smaller or larger than 10 m; a cell that reads 30 % off, or nothing.
 TEST_P(FaultyCable, IsFlaggedAndTheEstimateStays) {
-  SimulatedRobot simulated = simulatedRobot(GetParam());
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, GetParam());
   const double turn = 0.03 * simulated.robot.span();
   for (const Fault& fault : {Fault{"drum turn", true, turn}, Fault{"drum turn back", true, -turn},
                              Fault{"biased cell", false, 1.3}, Fault{"dead cell", false, 0.0}}) {
@@ -126,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Redundant, FaultyCable,
 
 TEST(PoseEstimator, FindsAPayloadThatItWasNotToldOf) {
   for (const bool known : {true, false}) {
-    SimulatedRobot simulated = simulatedRobot("cogiro");
+    SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
     simulated.estimator.known_load = known;
     Wrench payload = Wrench::Zero();
     payload(2) = -0.2 * simulated.robot.weight();
@@ -142,18 +151,59 @@ TEST(PoseEstimator, FindsAPayloadThatItWasNotToldOf) {
 }
 
 TEST(PoseEstimator, SaysWhichDirectionsTheDataLeaveOpen) {
-  SimulatedRobot simulated = simulatedRobot("scampi");
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "scampi");
   simulated.estimator.known_load = false;
   PoseEstimator estimator(simulated.robot, simulated.estimator);
   const Estimate estimate = estimator.update(simulated.measure(simulated.truth, 0.0));
   ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
   EXPECT_EQ(estimate.unobservable_directions, 2);
+  EXPECT_GE((estimate.load_covariance.diagonal().array() == kUnknownVariance).count(), 2);
   EXPECT_NE(estimate.solution.report.status.message.find("2 direction"), std::string::npos);
   EXPECT_TRUE(estimate.covariance.allFinite());
 }
 
+// The platform's frame is any frame: turned far against the world, the covariance in world axes must not notice.
+TEST(PoseEstimator, CovarianceIsThatOfSmallErrorsOfTheMeasurementsInWorldAxes) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(2.2, Eigen::Vector3d(0.4, -0.8, 0.5).normalized()));
+  for (CableDescription& cable : simulated.robot.cables) cable.attachment = turn.conjugate() * cable.attachment;
+  simulated.robot.com = turn.conjugate() * simulated.robot.com;
+  simulated.robot.home.orientation = simulated.robot.home.orientation * turn;
+  ASSERT_TRUE(simulated.moveTo({simulated.truth.pose.position, simulated.truth.pose.orientation * turn}));
+  simulated.estimator.known_load = false;
+  const CableMeasurements clean = simulated.measure(simulated.truth, 0.0);
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const Estimate estimate = estimator.update(clean);
+  ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+
+  constexpr double kStep = 1e-2;  // standard deviations
+  const auto effect = [&](bool of_length, std::size_t i) {
+    const auto moved = [&](double step) {
+      CableMeasurements m = clean;
+      (of_length ? *m.lengths[i] : *m.tensions[i]) +=
+          step * (of_length ? simulated.estimator.length_stddev : simulated.estimator.tension_stddev);
+      PoseEstimator another(simulated.robot, simulated.estimator);
+      return poseError(another.update(m).solution.pose, simulated.truth.pose);
+    };
+    return Wrench((moved(kStep) - moved(-kStep)) / (2.0 * kStep));
+  };
+  Eigen::Matrix<double, 6, 6> expected = Eigen::Matrix<double, 6, 6>::Zero();
+  for (std::size_t i = 0; i < simulated.robot.cables.size(); ++i) {
+    for (const bool of_length : {true, false}) {
+      const Wrench d = effect(of_length, i);
+      expected += d * d.transpose();
+    }
+  }
+  for (int k = 0; k < 6; ++k) {
+    for (int l = 0; l < 6; ++l) {
+      const double scale = std::sqrt(expected(k, k) * expected(l, l));
+      EXPECT_NEAR(estimate.covariance(k, l), expected(k, l), 1e-3 * scale) << k << " " << l;
+    }
+  }
+}
+
 TEST(PoseEstimator, MissingMeasurementsAreDoneWithout) {
-  SimulatedRobot simulated = simulatedRobot("cogiro");
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
   CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
   measurements.tensions[1].reset();
   measurements.lengths[4].reset();
@@ -166,7 +216,7 @@ TEST(PoseEstimator, MissingMeasurementsAreDoneWithout) {
 }
 
 TEST(PoseEstimator, SameMeasurementsAfterResetGiveTheSameEstimateBitForBit) {
-  SimulatedRobot simulated = simulatedRobot("cogiro");
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
   PoseEstimator estimator(simulated.robot, simulated.estimator);
   std::vector<CableMeasurements> stream;
   for (int i = 0; i < 20; ++i) stream.push_back(simulated.measure(simulated.truth, 1.0));
@@ -181,7 +231,7 @@ TEST(PoseEstimator, SameMeasurementsAfterResetGiveTheSameEstimateBitForBit) {
 }
 
 TEST(PoseEstimator, RefusesImpossibleMeasurementsWithASentence) {
-  SimulatedRobot simulated = simulatedRobot("cogiro");
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
   PoseEstimator estimator(simulated.robot, simulated.estimator);
   CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
   measurements.lengths[2] = -1.0;
@@ -192,8 +242,90 @@ TEST(PoseEstimator, RefusesImpossibleMeasurementsWithASentence) {
   EXPECT_EQ(estimator.update(measurements).solution.report.status.code, Code::kInvalidInput);
 }
 
+TEST(PoseEstimator, ReadingBelowZeroIsAMeasurement) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  const CableMeasurements clean = simulated.measure(simulated.truth, 0.0);
+  const auto slackest =
+      static_cast<std::size_t>(std::min_element(clean.tensions.begin(), clean.tensions.end()) - clean.tensions.begin());
+  for (const double below : {1.0, 4.0}) {  // standard deviations
+    CableMeasurements measurements = clean;
+    // A cell whose zero is off, so that it reads less than nothing, is as good as one that is off elsewhere.
+    simulated.estimator.tension_stddev = *clean.tensions[slackest] / (below - 0.5);
+    measurements.tensions[slackest] = *clean.tensions[slackest] - below * simulated.estimator.tension_stddev;
+    ASSERT_LT(*measurements.tensions[slackest], 0.0);
+    PoseEstimator estimator(simulated.robot, simulated.estimator);
+    const Estimate estimate = estimator.update(measurements);
+    ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+    EXPECT_FALSE(estimate.tension_outlier[slackest]);
+    EXPECT_GT(estimate.solution.cables[slackest].cable.tension_a, 0.0);
+    EXPECT_LT(estimate.tension_residual[slackest], 0.0);
+    const Wrench error = poseError(estimate.solution.pose, simulated.truth.pose);
+    EXPECT_LT(error.dot(estimate.covariance.ldlt().solve(error)), below * below);
+  }
+  // A cell that reads nonsense is at fault, whatever the sign.
+  simulated.estimator.tension_stddev = 5.0;
+  CableMeasurements nonsense = clean;
+  nonsense.tensions[slackest] = -3000.0;
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const Estimate estimate = estimator.update(nonsense);
+  ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+  EXPECT_TRUE(estimate.tension_outlier[slackest]);
+  nonsense.tensions[slackest] = std::nan("");
+  EXPECT_EQ(estimator.update(nonsense).solution.report.status.code, Code::kInvalidInput);
+}
+
+// From the last pose, an adjustment of lengths alone may end in an equilibrium that no platform would keep.
+TEST(PoseEstimator, FindsThePlatformAgainAfterItMovedFarUnseen) {
+  for (const char* name : {"scampi", "caroca", "cogiro"}) {
+    SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, name);
+    Workspace workspace = workspaceOf(name);
+    PoseEstimator estimator(simulated.robot, simulated.estimator);
+    for (int moves = 0; moves < 25;) {
+      if (!simulated.moveTo(randomPose(workspace, &simulated.dice))) continue;
+      ++moves;
+      CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+      for (auto& tension : measurements.tensions) tension.reset();
+      const Estimate estimate = estimator.update(measurements);
+      ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+      EXPECT_LT(poseError(estimate.solution.pose, simulated.truth.pose).norm(), 1e-6) << name << ", move " << moves;
+    }
+  }
+}
+
+TEST(PoseEstimator, RemembersAPayloadUntilItIsGone) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  Wrench payload = Wrench::Zero();
+  payload(2) = -0.2 * simulated.robot.weight();
+  const RobotSolution loaded = simulated.under(payload);
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  ASSERT_TRUE(estimator.update(simulated.measure(simulated.truth, 1.0)).solution.report.status.ok());
+  for (int i = 0; i < 3; ++i) {
+    const Estimate estimate = estimator.update(simulated.measure(loaded, 1.0));
+    ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+    EXPECT_TRUE(estimate.load_outlier(2)) << i;
+    EXPECT_TRUE(estimate.warm_started) << i;
+    EXPECT_NEAR(estimate.load(2), payload(2), 4.0 * std::sqrt(estimate.load_covariance(2, 2))) << i;
+  }
+  const Estimate unloaded = estimator.update(simulated.measure(simulated.truth, 1.0));
+  EXPECT_FALSE(unloaded.load_outlier.any());
+}
+
+TEST(PoseEstimator, TooLittleTimeIsSaidAndDoesNotLast) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  const CableMeasurements clean = simulated.measure(simulated.truth, 0.0);
+  EstimatorOptions hasty = simulated.estimator;
+  hasty.timeout = std::chrono::duration<double>(1e-9);
+  PoseEstimator estimator(simulated.robot, hasty);
+  for (int i = 0; i < 3; ++i) {
+    const Estimate estimate = estimator.update(clean);
+    EXPECT_EQ(estimate.solution.report.status.code, Code::kTimedOut);
+    EXPECT_FALSE(estimate.solution.report.status.message.empty());
+    EXPECT_TRUE(isFinite(estimate.solution));
+  }
+}
+
 TEST(PoseEstimator, RecoversFromABadSeed) {
-  SimulatedRobot simulated = simulatedRobot("cogiro");
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
   PoseEstimator estimator(simulated.robot, simulated.estimator);
   Pose seed = simulated.truth.pose;
   seed.position += Eigen::Vector3d(1.0, -0.8, 0.5);

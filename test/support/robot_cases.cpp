@@ -13,6 +13,11 @@ double Dice::uniform(double low, double high) {
   return low + (high - low) * (static_cast<double>(generator_()) / 4294967296.0);
 }
 
+double Dice::normal() {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));  // Box and Muller
+  return radius * std::cos(uniform(0.0, 2.0 * M_PI));
+}
+
 Eigen::Vector3d Dice::inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   Eigen::Vector3d point;
   for (int k = 0; k < 3; ++k) point(k) = uniform(low(k), high(k));

@@ -18,6 +18,8 @@ class Dice {
   explicit Dice(std::uint32_t seed) : generator_(seed) {}
 
   double uniform(double low, double high);
+  // Mean 0, standard deviation 1.
+  double normal();
   Eigen::Vector3d inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   // Uniform on the unit sphere.
   Eigen::Vector3d direction();

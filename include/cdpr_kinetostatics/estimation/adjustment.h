@@ -31,6 +31,10 @@ struct Adjusted {
   int redundancy = 0;
   // Information of (translation, rotation vector), everything else eliminated; freedoms x freedoms.
   Eigen::MatrixXd information;
+  // Of the external load; freedoms x freedoms. What the measurements leave open carries kUnknownVariance.
+  Eigen::MatrixXd load_covariance;
+  // The platform would return to this pose if it were moved, the lengths held: a real one does.
+  bool stable = false;
 };
 
 Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,

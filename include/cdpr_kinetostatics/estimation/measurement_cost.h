@@ -25,10 +25,11 @@
 
 namespace cdpr_kinetostatics {
 
-// What takes part in an adjustment.
-struct Selection {
-  std::vector<bool> lengths, tensions;  // per cable
-  Eigen::Array<bool, 6, 1> load = Eigen::Array<bool, 6, 1>::Constant(false);
+// The wrench that is left over on the platform, cables and weight, and how it changes.
+struct LoadBalance {
+  Wrench total;
+  Eigen::Matrix<double, 6, 6> by_pose;  // (translation, rotation vector), at constant densities
+  Eigen::Matrix<double, 6, Eigen::Dynamic> by_density;
 };
 
 // Keeps each cable's shape from one evaluation to the next, so it must not be evaluated by two threads at once.
@@ -40,8 +41,11 @@ class MeasurementCost : public ceres::DynamicCostFunction {
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
-  // The cables as of the last evaluation.
+  // As of the last evaluation, which was at this pose and these densities.
   const std::vector<SaggingCable>& cables() const { return cables_; }
+  LoadBalance loadBalance(const Pose& pose, const double* densities) const;
+  // d(total)/d(translation, rotation vector) at constant lengths.
+  Eigen::Matrix<double, 6, 6> stiffness(const LoadBalance& balance) const;
 
  private:
   // (H, V, L) of a cable change by by_pose * (translation, rotation vector) + by_density * change.

@@ -46,6 +46,12 @@ struct CableMeasurements {
   std::vector<std::optional<double>> tensions;  // at A [N]
 };
 
+// Some of the measurements, and components of the known load.
+struct Selection {
+  std::vector<bool> lengths, tensions;  // per cable
+  Eigen::Array<bool, 6, 1> load = Eigen::Array<bool, 6, 1>::Constant(false);
+};
+
 struct Estimate {
   // Pose, cables and evidence; report.status tells whether there is an estimate at all.
   RobotSolution solution;
@@ -57,6 +63,8 @@ struct Estimate {
   int unobservable_directions = 0;
 
   Wrench load = Wrench::Zero();  // external load that balances the cables and the platform's weight
+  // Of the load [N^2, N^2 m, N^2 m^2]; components that the data leave open, and a point mass's torques, as above.
+  Eigen::Matrix<double, 6, 6> load_covariance = Eigen::Matrix<double, 6, 6>::Zero();
 
   // Measured minus model [m, N]; 0 where there is no measurement.
   std::vector<double> length_residual, tension_residual;
@@ -74,24 +82,31 @@ struct Estimate {
 
 constexpr double kUnknownVariance = 1e6;
 
+struct MeasuredRobot;
+
 class PoseEstimator {
  public:
   // The robot must outlive the estimator.
   PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options);
 
-  // Starts from the last estimate if there is one, else from the seed (the robot's home). The answer depends
-  // on the measurements since reset() alone.
+  // Starts from the last estimate if there is one. If that leads to no stable pose that explains the measurements
+  // without leaving out most of what is redundant, starts anew near the last pose, and then at the seed; the best
+  // answer counts. It depends on the measurements since reset() alone.
   Estimate update(const CableMeasurements& measurements);
 
+  // Forgets all; the seed is the robot's home, or the pose given.
   void reset();
   void setPose(const Pose& seed);
 
  private:
+  Estimate solve(const MeasuredRobot& measured);
+
   const RobotDescription& robot_;
   const EstimatorOptions options_;
   Pose seed_;
+  Pose near_;  // last pose, or the seed
   std::optional<RobotForces> last_;
-  std::vector<bool> last_length_outlier_, last_tension_outlier_;
+  Selection left_out_;  // by the last estimate
 };
 
 }  // namespace cdpr_kinetostatics

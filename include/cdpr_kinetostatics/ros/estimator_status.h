@@ -30,6 +30,9 @@ struct EstimatorStatus {
   double weighted_squares = 0.0;
   double position_stddev = 0.0;  // largest of x, y, z [m]
   double rotation_stddev = 0.0;  // largest of the three [rad]
+  double force_stddev = 0.0;     // of the load, largest of x, y, z [N]; unknown ones apart
+  double torque_stddev = 0.0;    // [N m]
+  int unknown_load_components = 0;
 
   void add(const Estimate& estimate, const KinetostaticState& state);
   void startAnew();  // the recent ones

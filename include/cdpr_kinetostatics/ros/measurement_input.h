@@ -30,7 +30,7 @@ struct InputCounts {
   std::uint64_t unknown_names = 0;  // entries that are none of the robot's cables
   std::uint64_t missing_lengths = 0;
   std::uint64_t missing_tensions = 0;
-  std::uint64_t impossible = 0;  // measurements that cannot be: length <= 0, tension far below 0, beyond limits
+  std::uint64_t impossible = 0;  // measurements that cannot be: length <= 0, beyond limits
 
   std::uint64_t refused() const { return malformed + stale + repeated + reordered; }
 };
@@ -43,8 +43,8 @@ struct Measurement {
 
 class MeasurementInput {
  public:
-  // The robot must outlive the input. A tension above -lowest_tension [N] and below 0 counts as 0.
-  MeasurementInput(const RobotDescription& robot, double max_age, double lowest_tension);
+  // The robot must outlive the input.
+  MeasurementInput(const RobotDescription& robot, double max_age);
 
   // The measurement, or nothing if the message is refused.
   std::optional<Measurement> check(const sensor_msgs::JointState& message, const ros::Time& now);
@@ -64,7 +64,6 @@ class MeasurementInput {
 
   const RobotDescription& robot_;
   const ros::Duration max_age_;
-  const double lowest_tension_;
   InputCounts counts_;
   std::string last_problem_;
   ros::Time last_stamp_, last_now_;

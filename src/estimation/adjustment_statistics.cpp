@@ -1,0 +1,74 @@
+#include "adjustment_statistics.h"
+
+#include <Eigen/QR>
+#include <vector>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// A column of the Jacobian adds to its rank if more than this share of it is new.
+constexpr double kRank = 1e-9;
+
+// A component of the load is open if more than this share of its gradient lies where nothing was observed.
+constexpr double kOpen = 1e-6;
+
+using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+
+void fillRedundancies(const Eigen::MatrixXd& jacobian, const Decomposition& decomposition, Adjusted* adjusted) {
+  const Eigen::Index rank = decomposition.rank();
+  const Eigen::MatrixXd range = decomposition.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), rank);
+  adjusted->redundancy = -static_cast<int>(rank);
+  std::vector<Observation> used;
+  for (std::size_t k = 0; k < adjusted->observations.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    if (jacobian.row(row).squaredNorm() == 0.0) continue;  // a component of the load that is not known
+    Observation observation = adjusted->observations[k];
+    observation.redundancy = 1.0 - range.row(row).squaredNorm();
+    adjusted->weighted_squares += observation.residual * observation.residual;
+    ++adjusted->redundancy;
+    used.push_back(observation);
+  }
+  adjusted->observations = used;
+}
+
+// load: by the scaled unknowns. With A P = Q (R1 R2), unknowns outside the rank are those of R2's columns: held, the
+// others have the covariance (R1^T R1)^-1; moved, the others follow by -R1^-1 R2.
+Eigen::MatrixXd loadCovariance(const Eigen::MatrixXd& load, const Decomposition& decomposition) {
+  const Eigen::Index rank = decomposition.rank();
+  const Eigen::MatrixXd permuted = load * decomposition.colsPermutation();
+  const Eigen::MatrixXd r = decomposition.matrixR().topRows(rank);
+  const Eigen::MatrixXd root = r.leftCols(rank)
+                                   .triangularView<Eigen::Upper>()
+                                   .transpose()
+                                   .solve(permuted.leftCols(rank).transpose())
+                                   .transpose();
+  const Eigen::MatrixXd open = permuted.rightCols(load.cols() - rank) - root * r.rightCols(load.cols() - rank);
+  Eigen::MatrixXd covariance = root * root.transpose();
+  for (Eigen::Index k = 0; k < load.rows(); ++k) {
+    if (open.row(k).norm() <= kOpen * load.row(k).norm()) continue;
+    covariance.row(k).setZero();
+    covariance.col(k).setZero();
+    covariance(k, k) = kUnknownVariance;
+  }
+  return covariance;
+}
+
+}  // namespace
+
+void analyse(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& load, Adjusted* adjusted) {
+  const Eigen::Index freedoms = load.rows();
+  const Eigen::VectorXd inverse_norms = jacobian.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::MatrixXd scaled = jacobian * inverse_norms.asDiagonal();
+  Decomposition all(scaled);
+  all.setThreshold(kRank);
+  fillRedundancies(jacobian, all, adjusted);
+  adjusted->load_covariance = loadCovariance(load * inverse_norms.asDiagonal(), all);
+
+  Decomposition cables(scaled.rightCols(jacobian.cols() - freedoms));
+  cables.setThreshold(kRank);
+  const Eigen::MatrixXd pose = cables.householderQ().transpose() * jacobian.leftCols(freedoms);
+  const Eigen::MatrixXd left = pose.bottomRows(pose.rows() - cables.rank());
+  adjusted->information = left.transpose() * left;
+}
+
+}  // namespace cdpr_kinetostatics

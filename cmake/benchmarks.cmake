@@ -25,3 +25,7 @@ if(TARGET cvodes)
   target_link_libraries(cvodes SUNDIALS::cvodes_shared SUNDIALS::nvecserial_shared)
 endif()
 target_link_libraries(node_memory cdpr_kinetostatics_ros)
+
+file(GLOB estimation_study_sources CONFIGURE_DEPENDS benchmark/estimation_study/*.cpp)
+target_sources(estimation_study PRIVATE ${estimation_study_sources})
+target_link_libraries(estimation_study Boost::program_options)

@@ -33,7 +33,7 @@ void fillRedundancies(const Eigen::MatrixXd& jacobian, const Decomposition& deco
 
 // load: by the scaled unknowns. With A P = Q (R1 R2), unknowns outside the rank are those of R2's columns: held, the
 // others have the covariance (R1^T R1)^-1; moved, the others follow by -R1^-1 R2.
-Eigen::MatrixXd loadCovariance(const Eigen::MatrixXd& load, const Decomposition& decomposition) {
+void fillLoadCovariance(const Eigen::MatrixXd& load, const Decomposition& decomposition, Adjusted* adjusted) {
   const Eigen::Index rank = decomposition.rank();
   const Eigen::MatrixXd permuted = load * decomposition.colsPermutation();
   const Eigen::MatrixXd r = decomposition.matrixR().topRows(rank);
@@ -43,26 +43,23 @@ Eigen::MatrixXd loadCovariance(const Eigen::MatrixXd& load, const Decomposition&
                                    .solve(permuted.leftCols(rank).transpose())
                                    .transpose();
   const Eigen::MatrixXd open = permuted.rightCols(load.cols() - rank) - root * r.rightCols(load.cols() - rank);
-  Eigen::MatrixXd covariance = root * root.transpose();
+  adjusted->load_covariance = root * root.transpose();
   for (Eigen::Index k = 0; k < load.rows(); ++k) {
-    if (open.row(k).norm() <= kOpen * load.row(k).norm()) continue;
-    covariance.row(k).setZero();
-    covariance.col(k).setZero();
-    covariance(k, k) = kUnknownVariance;
+    adjusted->load_unknown(k) = open.row(k).norm() > kOpen * load.row(k).norm();
   }
-  return covariance;
 }
 
 }  // namespace
 
 void analyse(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& load, Adjusted* adjusted) {
   const Eigen::Index freedoms = load.rows();
-  const Eigen::VectorXd inverse_norms = jacobian.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::VectorXd norms = jacobian.colwise().norm();
+  const Eigen::VectorXd inverse_norms = (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
   const Eigen::MatrixXd scaled = jacobian * inverse_norms.asDiagonal();
   Decomposition all(scaled);
   all.setThreshold(kRank);
   fillRedundancies(jacobian, all, adjusted);
-  adjusted->load_covariance = loadCovariance(load * inverse_norms.asDiagonal(), all);
+  fillLoadCovariance(load * inverse_norms.asDiagonal(), all, adjusted);
 
   Decomposition cables(scaled.rightCols(jacobian.cols() - freedoms));
   cables.setThreshold(kRank);

@@ -42,6 +42,19 @@ void fillCovariance(const RobotDescription& robot, const Eigen::MatrixXd& inform
   estimate->covariance.topLeftCorner(n, n) = covariance;
 }
 
+void fillLoadCovariance(const RobotDescription& robot, const Adjusted& adjusted, Estimate* estimate) {
+  const auto n = static_cast<Eigen::Index>(robot.freedoms());
+  estimate->load_unknown = adjusted.load_unknown;
+  estimate->load_covariance.topLeftCorner(n, n) = adjusted.load_covariance;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!adjusted.load_unknown(k)) continue;
+    estimate->load_covariance.row(k).setZero();
+    estimate->load_covariance.col(k).setZero();
+    const double lever = k < 3 ? 1.0 : std::max(robot.platformRadius(), 1e-6 * robot.span());
+    estimate->load_covariance(k, k) = std::pow(kUnknownLoad * robot.weight() * lever, 2);
+  }
+}
+
 }  // namespace
 
 Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
@@ -64,9 +77,7 @@ Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
   }
   estimate.load = -cables - loadWrench(robot, at.pose, Wrench::Zero());
   if (robot.type == PlatformType::kPointMass) estimate.load.tail<3>().setZero();
-  const auto n = static_cast<Eigen::Index>(robot.freedoms());
-  estimate.load_covariance = kUnknownVariance * Eigen::Matrix<double, 6, 6>::Identity();
-  estimate.load_covariance.topLeftCorner(n, n) = adjusted.load_covariance;
+  fillLoadCovariance(robot, adjusted, &estimate);
   estimate.length_redundancy.assign(robot.cables.size(), 0.0);
   estimate.tension_redundancy.assign(robot.cables.size(), 0.0);
   for (const Observation& o : adjusted.observations) {

@@ -12,22 +12,14 @@ namespace {
 // An error that shows in its own residual by less than this share cannot be told from others.
 constexpr double kTestable = 0.01;
 
-// So many of the worst measurements are left out in turn to find the faulty one.
-constexpr std::size_t kSuspects = 16;
-
 // A measurement that jumps this many times farther than most others since the last estimate is not trusted at first.
 constexpr double kJump = 10.0;
 
-// Observations whose residual exceeds the threshold in units of its own standard deviation, worst first.
-std::vector<Observation> suspects(const std::vector<Observation>& observations, double threshold) {
-  const auto statistic = [](const Observation& o) { return std::abs(o.residual) / std::sqrt(o.redundancy); };
-  std::vector<Observation> found;
-  for (const Observation& o : observations) {
-    if (o.redundancy >= kTestable && statistic(o) > threshold) found.push_back(o);
-  }
-  std::sort(found.begin(), found.end(),
-            [&](const Observation& l, const Observation& r) { return statistic(l) > statistic(r); });
-  return found;
+// Some residual exceeds the threshold in units of its own standard deviation.
+bool disagree(const std::vector<Observation>& observations, double threshold) {
+  return std::any_of(observations.begin(), observations.end(), [&](const Observation& o) {
+    return o.redundancy >= kTestable && std::abs(o.residual) > threshold * std::sqrt(o.redundancy);
+  });
 }
 
 void leaveOut(const Observation& observation, Selection* selection) {
@@ -73,7 +65,7 @@ void takeBack(const MeasuredRobot& measured, const RobotForces& start, Candidate
     Candidate trial = adjust(measured, start, with);
     if (trial.adjusted.status.ok() &&
         trial.adjusted.weighted_squares < candidate->adjusted.weighted_squares + threshold * threshold &&
-        suspects(trial.adjusted.observations, threshold).empty()) {
+        !disagree(trial.adjusted.observations, threshold)) {
       *candidate = std::move(trial);
     }
   };
@@ -108,12 +100,10 @@ int count(const Selection& selection) {
 
 Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
   Candidate candidate = adjust(measured, start, selection);
-  while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0) {
-    std::vector<Observation> worst = suspects(candidate.adjusted.observations, measured.options.outlier_threshold);
-    if (worst.empty()) break;
-    if (worst.size() > kSuspects) worst.erase(worst.begin() + kSuspects, worst.end());
+  while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0 &&
+         disagree(candidate.adjusted.observations, measured.options.outlier_threshold)) {
     std::optional<Candidate> best;
-    for (const Observation& suspect : worst) {
+    for (const Observation& suspect : candidate.adjusted.observations) {
       Selection without = candidate.selection;
       leaveOut(suspect, &without);
       Candidate trial = adjust(measured, start, without);

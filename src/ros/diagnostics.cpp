@@ -119,7 +119,7 @@ void Diagnostics::estimate(DiagnosticStatusWrapper& status) {
   if (!is_point_mass_) status.add("rotation standard deviation [rad]", now.rotation_stddev);
   status.add("force standard deviation [N]", now.force_stddev);
   if (!is_point_mass_) status.add("torque standard deviation [N m]", now.torque_stddev);
-  status.add("unknown components of the load", now.unknown_load_components - (is_point_mass_ ? 3 : 0));
+  status.add("unknown components of the load", now.unknown_load_components);
   status.add("redundant measurements", now.redundancy);
   status.add("sum of squared residuals [sigma^2]", now.weighted_squares);
 }

@@ -43,11 +43,10 @@ void EstimatorStatus::add(const Estimate& estimate, const KinetostaticState& sta
   position_stddev = std::sqrt(estimate.covariance.diagonal().head<3>().maxCoeff());
   rotation_stddev = std::sqrt(estimate.covariance.diagonal().tail<3>().maxCoeff());
   const Eigen::Array<double, 6, 1> load = estimate.load_covariance.diagonal();
-  const Eigen::Array<bool, 6, 1> unknown = load == kUnknownVariance;
-  const Eigen::Array<double, 6, 1> known = unknown.select(0.0, load.sqrt());
+  const Eigen::Array<double, 6, 1> known = estimate.load_unknown.select(0.0, load.sqrt());
   force_stddev = known.head<3>().maxCoeff();
   torque_stddev = known.tail<3>().maxCoeff();
-  unknown_load_components = static_cast<int>(unknown.count());
+  unknown_load_components = static_cast<int>(estimate.load_unknown.count());
 }
 
 void EstimatorStatus::startAnew() {

@@ -157,7 +157,8 @@ TEST(PoseEstimator, SaysWhichDirectionsTheDataLeaveOpen) {
   const Estimate estimate = estimator.update(simulated.measure(simulated.truth, 0.0));
   ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
   EXPECT_EQ(estimate.unobservable_directions, 2);
-  EXPECT_GE((estimate.load_covariance.diagonal().array() == kUnknownVariance).count(), 2);
+  EXPECT_GE(estimate.load_unknown.count(), 2);
+  EXPECT_TRUE(estimate.load_covariance.allFinite());
   EXPECT_NE(estimate.solution.report.status.message.find("2 direction"), std::string::npos);
   EXPECT_TRUE(estimate.covariance.allFinite());
 }
@@ -199,6 +200,22 @@ TEST(PoseEstimator, CovarianceIsThatOfSmallErrorsOfTheMeasurementsInWorldAxes) {
       const double scale = std::sqrt(expected(k, k) * expected(l, l));
       EXPECT_NEAR(estimate.covariance(k, l), expected(k, l), 1e-3 * scale) << k << " " << l;
     }
+  }
+}
+
+TEST(PoseEstimator, SaysThatTheLoadIsUnknownIfACableIsSilent) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+  measurements.lengths[0].reset();
+  measurements.tensions[0].reset();
+  for (const bool known : {true, false}) {
+    simulated.estimator.known_load = known;
+    PoseEstimator estimator(simulated.robot, simulated.estimator);
+    const Estimate estimate = estimator.update(measurements);
+    ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+    EXPECT_EQ(estimate.unobservable_directions, 0);
+    EXPECT_EQ(estimate.load_unknown.all(), !known);
+    EXPECT_TRUE(estimate.load_covariance.allFinite());
   }
 }
 

@@ -31,8 +31,9 @@ struct Adjusted {
   int redundancy = 0;
   // Information of (translation, rotation vector), everything else eliminated; freedoms x freedoms.
   Eigen::MatrixXd information;
-  // Of the external load; freedoms x freedoms. What the measurements leave open carries kUnknownVariance.
+  // Of the external load; freedoms x freedoms. Nothing fixes the components that are unknown.
   Eigen::MatrixXd load_covariance;
+  Eigen::Array<bool, 6, 1> load_unknown = Eigen::Array<bool, 6, 1>::Constant(false);
   // The platform would return to this pose if it were moved, the lengths held: a real one does.
   bool stable = false;
 };

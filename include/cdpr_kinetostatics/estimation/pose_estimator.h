@@ -63,8 +63,10 @@ struct Estimate {
   int unobservable_directions = 0;
 
   Wrench load = Wrench::Zero();  // external load that balances the cables and the platform's weight
-  // Of the load [N^2, N^2 m, N^2 m^2]; components that the data leave open, and a point mass's torques, as above.
+  // Of the load [N^2, N^2 m, N^2 m^2]. Components that the data cannot fix are unknown: their variance is that of a
+  // load of kUnknownLoad times the weight. A point mass has no torques: 0.
   Eigen::Matrix<double, 6, 6> load_covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Array<bool, 6, 1> load_unknown = Eigen::Array<bool, 6, 1>::Constant(false);
 
   // Measured minus model [m, N]; 0 where there is no measurement.
   std::vector<double> length_residual, tension_residual;
@@ -81,6 +83,7 @@ struct Estimate {
 };
 
 constexpr double kUnknownVariance = 1e6;
+constexpr double kUnknownLoad = 1e3;
 
 struct MeasuredRobot;
 

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Draws what estimation_study measured: normalised errors, faults, and a payload that comes and goes.
+"""Puts what estimation_study measured into docs/estimation.md and draws docs/images/estimation.png.
 
-    rosrun cdpr_kinetostatics estimation_study --directory DIR
-    scripts/plot_estimation.py DIR docs/images/estimation.png       (needs python3-matplotlib)
+    scripts/estimation.sh                             measures, and calls this
+    scripts/plot_estimation.py RESULTS docs           again, from its results       (needs python3-matplotlib)
 """
 
 import argparse
 import csv
 import math
 import os
+import re
+import sys
 
 import matplotlib
 
@@ -17,6 +19,7 @@ import matplotlib.pyplot as plt
 
 ROBOT = "cogiro"  # of the payload
 BINS = [0.5 * k for k in range(51)]
+TABLES = ("consistency", "faults", "load", "observability", "timing")
 GIVEN = (("all", "tab:blue"), ("load unknown", "tab:orange"), ("lengths only", "tab:green"))
 
 
@@ -51,7 +54,7 @@ def plot_faults(axes, rows):
     axes.legend(fontsize="small", markerscale=4)
 
 
-def plot_load(axes["load"], axes["error"], error, rows):
+def plot_load(load, error, rows):
     for given, color in GIVEN[:2]:
         steps = [r for r in rows if r["robot"] == ROBOT and r["given"] == given]
         at = [int(r["step"]) for r in steps]
@@ -66,10 +69,23 @@ def plot_load(axes["load"], axes["error"], error, rows):
     error.set(xlabel="message", ylabel="error, 2 sigma [N]")
 
 
+def write_tables(directory, path):
+    with open(path) as file:
+        text = file.read()
+    for name in TABLES:
+        with open(os.path.join(directory, name + ".md")) as file:
+            block = f"<!-- {name} -->\n" + file.read().strip() + "\n<!-- end -->"
+        text, count = re.subn(rf"<!-- {name} -->.*?<!-- end -->", lambda _: block, text, flags=re.DOTALL)
+        if count != 1:
+            sys.exit(f"{path}: expected one place for the table {name}, found {count}")
+    with open(path, "w") as file:
+        file.write(text)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directory", help="of the CSV files")
-    parser.add_argument("file", help="picture to write")
+    parser.add_argument("directory", help="of the results: CSV files and tables")
+    parser.add_argument("docs", help="of estimation.md and images/")
     arguments = parser.parse_args()
     figure, axes = plt.subplot_mosaic(
         [["consistency", "faults", "load"], ["consistency", "faults", "error"]], figsize=(13, 4), constrained_layout=True
@@ -77,7 +93,8 @@ def main():
     plot_consistency(axes["consistency"], read(arguments.directory, "consistency.csv"))
     plot_faults(axes["faults"], read(arguments.directory, "faults.csv"))
     plot_load(axes["load"], axes["error"], read(arguments.directory, "load_change.csv"))
-    figure.savefig(arguments.file, dpi=80)
+    figure.savefig(os.path.join(arguments.docs, "images", "estimation.png"), dpi=80)
+    write_tables(arguments.directory, os.path.join(arguments.docs, "estimation.md"))
 
 
 if __name__ == "__main__":

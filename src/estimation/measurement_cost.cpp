@@ -47,15 +47,17 @@ MeasurementCost::MeasurementCost(const RobotDescription& robot, const EstimatorO
                   (selection.load.any() ? robot.freedoms() : 0));
 }
 
-// Closure at given H: Newton's method for (V, L), with the nodes of a bending cable.
+// Closure at given H: Newton's method for (V, L), with the nodes of a bending cable. The first step takes the last
+// linearisation, which is that of the last evaluation.
 bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) const {
   SaggingCable& cable = cables_[i];
   Sensitivity& s = sensitivities_[i];
   s.line = cableLine(robot_.cables[i], pose);
   const double x = std::max(s.line.x, kBeside * cable.length());
-  bool adapt = true;
+  bool adapt = !linearised_;
   for (int k = 0; k < kMaxClosureIterations; ++k) {
-    if (!cable.linearise(adapt)) return false;
+    const bool fresh = k > 0 || !linearised_;
+    if (fresh && !cable.linearise(adapt)) return false;
     const Eigen::Matrix<double, 2, 3>& jacobian = cable.end().jacobian;
     const Eigen::Matrix2d inverse = jacobian.rightCols<2>().inverse();
     Eigen::Vector3d change(density * x - cable.horizontalForce(), 0.0, 0.0);
@@ -65,7 +67,7 @@ bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) con
     const double size = std::max(
         {change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length(), cable.angleChange(change)});
     cable.step(change, std::min(1.0, cable.dampingFor(change)));
-    if (size <= options_.tolerance && !adapt) {
+    if (size <= options_.tolerance && fresh && !adapt) {
       Eigen::Matrix<double, 3, 6> motion;  // of B
       motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
       Eigen::Matrix<double, 2, 3> in_plane;
@@ -117,16 +119,29 @@ Eigen::Matrix<double, 6, 6> MeasurementCost::stiffness(const LoadBalance& balanc
   return stiffness;
 }
 
+// Ceres asks for the Jacobian where it has just asked for the residuals: the cables are closed there already.
+bool MeasurementCost::closeAll(const Pose& pose, double const* const* parameters) const {
+  std::vector<double> at(parameters[0], parameters[0] + 3);
+  at.insert(at.end(), parameters[1], parameters[1] + 4);
+  at.insert(at.end(), parameters[2], parameters[2] + cables_.size());
+  if (at == closed_at_) return true;
+  closed_at_.clear();
+  before_ = cables_;
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    if (close(i, pose, parameters[2][i])) continue;
+    cables_ = before_;
+    return false;
+  }
+  linearised_ = true;
+  closed_at_ = at;
+  return true;
+}
+
 bool MeasurementCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const Eigen::Quaterniond orientation(parameters[1]);
   const Pose pose{Eigen::Vector3d(parameters[0]), orientation};
   const auto n = static_cast<Eigen::Index>(cables_.size());
-  const std::vector<SaggingCable> before = cables_;
-  for (std::size_t i = 0; i < cables_.size(); ++i) {
-    if (close(i, pose, parameters[2][i])) continue;
-    cables_ = before;
-    return false;
-  }
+  if (!closeAll(pose, parameters)) return false;
 
   RowMajor by_pose(num_residuals(), 6);
   RowMajor by_density = RowMajor::Zero(num_residuals(), n);

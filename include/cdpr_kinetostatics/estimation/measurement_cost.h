@@ -56,13 +56,16 @@ class MeasurementCost : public ceres::DynamicCostFunction {
   };
 
   bool close(std::size_t i, const Pose& pose, double density) const;
+  bool closeAll(const Pose& pose, double const* const* parameters) const;
 
   const RobotDescription& robot_;
   const EstimatorOptions& options_;
   const CableMeasurements& measurements_;
   const Selection& selection_;
-  mutable std::vector<SaggingCable> cables_;
+  mutable std::vector<SaggingCable> cables_, before_;
   mutable std::vector<Sensitivity> sensitivities_;
+  mutable bool linearised_ = false;        // all cables, at the last evaluation
+  mutable std::vector<double> closed_at_;  // parameters of the last evaluation; empty if that failed
 };
 
 }  // namespace cdpr_kinetostatics

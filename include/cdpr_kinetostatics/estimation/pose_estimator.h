@@ -5,9 +5,9 @@
 // lengths, tensions at A, and, if the load is known, the six components of equilibrium. Tension is never
 // turned into length, so a cable near the least tension that can hold it does no harm.
 //
-// Faulty measurements are found by data snooping: the measurement (or load component) with the largest
-// residual in units of its own standard deviation is left out while that exceeds the threshold and the rest
-// still determines it.
+// Faulty measurements are found by data snooping: while a residual exceeds the threshold in units of its own
+// standard deviation, that measurement (or load component) is left out without which the others agree best.
+// docs/estimation.md says how well all this works.
 #pragma once
 
 #include <Eigen/Core>

@@ -148,11 +148,9 @@ struct Tally {
 };
 
 void heading(const char* first) {
-  std::printf(
-      "\n| %s | beyond 6 sigma | flagged | of these visible | flagged | something else flagged "
-      "| within 3 sigma of clean | distance: median | 99 %% | no estimate "
-      "|\n|---|---|---|---|---|---|---|---|---|---|\n",
-      first);
+  std::printf("\n| %s | beyond 6 sigma | flagged | of these visible | flagged | something else flagged ", first);
+  std::printf("| within 3 sigma of clean | of its own | median distance | no estimate |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
 }  // namespace

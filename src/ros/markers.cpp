@@ -165,9 +165,10 @@ void addLoad(const RobotDescription& robot, const KinetostaticState& state, cons
   arrow.scale.z = 4.0 * arrow.scale.x;
   arrow.color = rgba(1.0, 0.55, 0.1, 1.0);
   markers->markers.push_back(arrow);
-  const std::string words = text("weight and load ", inNewton(held.norm()), ", load ", inNewton(load.norm()));
-  const Eigen::Vector3d below = start + scale * held - 1.2 * kTextHeight * robot.span() * Eigen::Vector3d::UnitZ();
-  markers->markers.push_back(label(state.header, "load", 1, words, below, kTextHeight * robot.span(), arrow.color));
+  const double height = kTextHeight * robot.span();
+  const Eigen::Vector3d beside = start + 0.6 * scale * held + 6.0 * height * Eigen::Vector3d::UnitX();
+  const std::string words = text("weight and load ", inNewton(held.norm()), "\nload alone ", inNewton(load.norm()));
+  markers->markers.push_back(label(state.header, "load", 1, words, beside, height, arrow.color));
 }
 
 }  // namespace

@@ -68,9 +68,7 @@ class NodePath {
  public:
   // The robot must outlive the path.
   NodePath(const RobotDescription& robot, const EstimatorOptions& options)
-      : robot_(robot),
-        input_(robot, 0.5, options.outlier_threshold * options.tension_stddev),
-        estimator_(robot, options) {}
+      : robot_(robot), input_(robot, 0.5), estimator_(robot, options) {}
 
   void process(const sensor_msgs::JointState& message, const ros::Time& now) {
     const auto measurement = input_.check(message, now);

@@ -46,6 +46,8 @@ for source in "$repository"/benchmark/*.cpp; do
   fi
 done
 
+run compare_scipy "$repository/scripts/compare_scipy.py" --programs "$programs"
+
 printf '\n'
 "$repository/scripts/benchmark_table.py" "$out"/*.csv
 exit $failed

@@ -1,0 +1,132 @@
+// Times of this package's solvers for scripts/compare_scipy.py (docs/performance.md, item 6).
+//
+//     solve_times cables                  from lines "EA EI q L x w" of the input; prints CSV
+//     solve_times robot FILE dx dy dz     home displaced by (dx, dy, dz) [m], found again from home; prints JSON
+#include <cmath>
+#include <cstring>
+#include <iomanip>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "cdpr_kinetostatics/robot/forward.h"
+#include "cdpr_kinetostatics/robot/robot_description_yaml.h"
+#include "robot_cases.h"
+#include "support/timing.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kRounds = 51;
+
+void requireOk(const Status& status) {
+  if (!status.ok()) throw std::runtime_error(status.message);
+}
+
+void timeCables() {
+  std::cout << "case,tolerance,h,v,angle_a,angle_b,seconds,catenary_h,catenary_v\n";
+  CableProperties cable;
+  double length = 0.0;
+  double x = 0.0;
+  double w = 0.0;
+  for (int i = 0; std::cin >> cable.axial_stiffness >> cable.bending_stiffness >> cable.weight >> length >> x >> w;
+       ++i) {
+    CableSolverOptions options;
+    options.model = Model::kCatenary;
+    const CableSolution catenary = findForces(cable, length, x, w, options);
+    requireOk(catenary.status);
+    options.model = Model::kBending;
+    for (int digits = 3; digits <= 12; ++digits) {
+      options.tolerance = std::pow(10.0, -digits);
+      CableSolution solution;
+      std::vector<double> times;
+      for (int round = 0; round < kRounds; ++round) {
+        const double begin = now();
+        solution = findForces(cable, length, x, w, options);
+        times.push_back(now() - begin);
+      }
+      requireOk(solution.status);
+      std::cout << i << "," << options.tolerance << "," << solution.horizontal_force << "," << solution.vertical_force_a
+                << "," << solution.angle_a << "," << solution.angle_b << "," << quantile(times, 0.5) << ","
+                << catenary.horizontal_force << "," << catenary.vertical_force_a << "\n";
+    }
+  }
+}
+
+void printVector(const Eigen::Vector3d& v) { std::cout << "[" << v.x() << ", " << v.y() << ", " << v.z() << "]"; }
+
+void printPose(const char* name, const Pose& pose) {
+  const Eigen::Vector4d q = pose.orientation.coeffs();
+  std::cout << "\"" << name << "\": {\"position\": ";
+  printVector(pose.position);
+  std::cout << ", \"orientation\": [" << q.x() << ", " << q.y() << ", " << q.z() << ", " << q.w() << "]}";
+}
+
+void timeRobot(const std::string& file, const Eigen::Vector3d& displacement) {
+  const RobotDescription robot = loadRobotFile(file).robot;
+  Pose pose = robot.home;
+  const RobotSolution home = solveInverse(robot, requestFor(robot, pose), patient(Model::kBending, 1e-12));
+  requireOk(home.report.status);
+  pose.position += displacement;
+  const RobotSolution there = solveInverse(robot, requestFor(robot, pose), patient(Model::kBending, 1e-12));
+  requireOk(there.report.status);
+  ForwardRequest request;
+  request.lengths = lengthsOf(there);
+  request.seed = home.pose;
+  std::vector<double> times;
+  RobotSolution found;
+  for (int round = 0; round < kRounds; ++round) {
+    const double begin = now();
+    found = solveForward(robot, request, patient(Model::kBending));
+    times.push_back(now() - begin);
+  }
+  requireOk(found.report.status);
+  if (!samePose(found.pose, there.pose, 1e-6)) throw std::runtime_error("the forward solve led to another pose");
+
+  std::cout << "{\"name\": \"" << robot.name << "\", \"seconds\": " << quantile(times, 0.5)
+            << ", \"weight\": " << robot.weight() << ", \"freedoms\": " << robot.freedoms() << ", \"com\": ";
+  printVector(robot.com);
+  std::cout << ",\n ";
+  printPose("start", home.pose);
+  std::cout << ",\n ";
+  printPose("pose", there.pose);
+  std::cout << ",\n ";
+  printPose("found", found.pose);
+  std::cout << ",\n \"cables\": [";
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CableDescription& cable = robot.cables[i];
+    std::cout << (i == 0 ? "\n  " : ",\n  ") << "{\"anchor\": ";
+    printVector(cable.anchor);
+    std::cout << ", \"attachment\": ";
+    printVector(cable.attachment);
+    std::cout << ", \"properties\": [" << cable.properties.axial_stiffness << ", " << cable.properties.bending_stiffness
+              << ", " << cable.properties.weight << "], \"length\": " << request.lengths[i]
+              << ", \"start_length\": " << home.cables[i].cable.length << ", \"start_forces\": ["
+              << home.cables[i].cable.horizontal_force << ", " << home.cables[i].cable.vertical_force_a << "]}";
+  }
+  std::cout << "]}\n";
+}
+
+}  // namespace
+}  // namespace cdpr_kinetostatics
+
+int main(int argc, char** argv) {
+  using namespace cdpr_kinetostatics;
+  std::cout << std::setprecision(17);
+  try {
+    if (argc == 2 && std::strcmp(argv[1], "cables") == 0) {
+      timeCables();
+    } else if (argc == 6 && std::strcmp(argv[1], "robot") == 0) {
+      timeRobot(argv[2], {std::stod(argv[3]), std::stod(argv[4]), std::stod(argv[5])});
+    } else {
+      std::cerr << "usage: solve_times cables | robot FILE dx dy dz\n";
+      return 2;
+    }
+  } catch (const std::exception& problem) {
+    std::cerr << "solve_times: " << problem.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -20,8 +20,6 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr double kInextensible = std::numeric_limits<double>::infinity();
-
 // Problem 1 by Newton's method on the nodes alone.
 bool relax(MultipleShooting* shooting) {
   for (int i = 0; i < 12; ++i) {

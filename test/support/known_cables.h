@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 
 namespace cdpr_kinetostatics {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kInextensible = std::numeric_limits<double>::infinity();
 
 // The paper's solid bar: radius 1 cm, E = 170 GPa, 8050 kg/m^3, g = 9.81 m/s^2.
 inline CableProperties paperBar() {

@@ -1,0 +1,77 @@
+#include "single_shooting.h"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cdpr_kinetostatics/cable/shot.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+constexpr int kMaxIterations = 40;
+constexpr int kMaxHalvings = 5;
+
+}  // namespace
+
+SingleShooting shootSingly(const CableProperties& cable, double length, double x, double w, double tolerance) {
+  SingleShooting result;
+  const double chord = std::hypot(x, w);
+  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, w);
+  const ForcesAtA start = catenary.value_or(ForcesAtA{0.0, 0.5 * cable.weight * length});
+  const double force = std::max({std::hypot(start.horizontal, start.vertical),
+                                 std::hypot(start.horizontal, start.vertical - cable.weight * length),
+                                 cable.bending_stiffness / (length * length)});
+  const double layer = std::sqrt(cable.bending_stiffness / force);
+  const double span = length / layer;
+  ShotParameters p{0.0, 0.0, cable.weight * layer / force, force / cable.axial_stiffness};
+  const Eigen::Vector2d end = Eigen::Vector2d(x, w) / length;
+
+  Eigen::Vector3d unknown(catenaryAngle(cable, start.horizontal, start.vertical, 0.0), start.horizontal / force,
+                          start.vertical / force);
+  if (start.horizontal == 0.0) unknown[0] = std::atan2(w, x == 0.0 ? 1e-3 * chord : x);
+  Eigen::Matrix3d jacobian;
+  const auto residual = [&](const Eigen::Vector3d& u) -> std::optional<Eigen::Vector3d> {
+    p.h = u[1];
+    p.v = u[2];
+    StepGrid grid;
+    Shot shot;
+    const double step = 0.1 * tolerance;
+    if (!shootAdaptive(p, 0.0, span, {u[0], 0.0, 0.0, 0.0}, {step, step}, &grid, &shot)) return std::nullopt;
+    for (int row = 0; row < 3; ++row) {
+      jacobian.row(row) << shot.sensitivity(row + 1, 0), shot.sensitivity(row + 1, 2), shot.sensitivity(row + 1, 3);
+      if (row > 0) jacobian.row(row) /= span;
+    }
+    return Eigen::Vector3d(shot.end.moment, shot.end.x / span - end.x(), shot.end.w / span - end.y());
+  };
+  std::optional<Eigen::Vector3d> defect = residual(unknown);
+  for (int i = 0; i < kMaxIterations && defect; ++i) {
+    result.iterations = i + 1;
+    const Eigen::Vector3d change = -(jacobian.inverse() * *defect);
+    if (!change.allFinite()) return result;
+    const bool small = change.norm() <= tolerance;
+    std::optional<Eigen::Vector3d> next;
+    double damping = std::min(1.0, 1.0 / change.norm());
+    for (int k = 0; k < kMaxHalvings; ++k, damping *= 0.5) {
+      next = residual(unknown + damping * change);
+      if (next && (small || next->norm() < defect->norm())) break;
+      next.reset();
+    }
+    if (!next) return result;
+    unknown += damping * change;
+    defect = next;
+    if (small) {
+      result.converged = defect->norm() <= 100.0 * tolerance;
+      result.angle_a = unknown[0];
+      result.h = force * unknown[1];
+      result.v = force * unknown[2];
+      return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace cdpr_kinetostatics

@@ -13,6 +13,7 @@ namespace {
 constexpr int kMaxNewtonIterations = 40;
 constexpr int kMaxPathSteps = 400;
 constexpr int kMaxPositionIterations = 60;
+constexpr int kMaxLoopSteps = 40;
 // While problem 1 moves the end point: its longest and shortest move, as shares of the length, and the share of the
 // buckling load from which a compressed cable is taken for a strut rather than for a loop.
 constexpr double kLongestMove = 0.1;
@@ -36,6 +37,14 @@ constexpr double kLoopAngle = 1.65 * M_PI;
 constexpr double kSafeLayers = 40.0;
 // ... and its sharpest bend, radius R, satisfies (lambda/R)^2 below this.
 constexpr double kSafeBend = 0.01;
+// Width to which slack cables are opened at most, over that of a straight line of the same length and height; opening
+// takes at most so many steps by this factor.
+constexpr double kWide = 0.6;
+constexpr double kOpening = 1.3;
+constexpr int kOpenings = 44;
+// A start that is not safe enough is made softer by this factor, so many times.
+constexpr double kSofter = 0.03;
+constexpr int kMostSofter = 6;
 // Beyond this bend the catenary is not tried as a direct start.
 constexpr double kSharpBend = 1.0;
 
@@ -131,10 +140,17 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double share) {
 // A problem whose answer is close to its catenary, at the same length and height difference.
 std::optional<PathPoint> safeStart(const CableProperties& cable, double length, double x, double w, ForcesAtA* forces) {
   PathPoint start{cable, x};
-  if (length > std::abs(w)) start.x = std::max(x, 0.6 * std::sqrt((length - w) * (length + w)));
   const double light = std::min(cable.bending_stiffness / std::pow(length, 3), 1e-4 * cable.axial_stiffness / length);
   start.cable.weight = std::max(cable.weight, light);
-  const std::optional<ForcesAtA> catenary = catenaryForces(start.cable, length, start.x, w);
+  // A slack cable is opened, but no wider than it takes to bend gently.
+  const double longest = length * (1.0 + start.cable.weight * length / cable.axial_stiffness);
+  const double wide = longest > std::abs(w) ? kWide * std::sqrt((longest - w) * (longest + w)) : 0.0;
+  std::optional<ForcesAtA> catenary;
+  for (int i = kOpenings; i >= 0; --i) {
+    start.x = std::max(x, wide * std::pow(kOpening, -i));
+    catenary = catenaryForces(start.cable, length, start.x, w);
+    if (start.x >= wide || (catenary && sharpestBend(start.cable, length, *catenary) < kSafeBend)) break;
+  }
   if (!catenary ||
       (catenary->horizontal == 0.0 && catenary->vertical >= 0.0 && catenary->vertical <= start.cable.weight * length)) {
     return std::nullopt;
@@ -152,14 +168,19 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
                                     const BendingOptions& options, MultipleShooting* shooting) {
   BendingOutcome outcome;
   ForcesAtA forces;
-  const std::optional<PathPoint> start = safeStart(cable, length, x, w, &forces);
+  std::optional<PathPoint> start = safeStart(cable, length, x, w, &forces);
   if (!start) {
     outcome.status = {Code::kNotConverged, "no catenary to start from"};
     return outcome;
   }
   const PathPoint goal{cable, x};
-  shooting->start(start->cable, length, forces.horizontal, forces.vertical, options.tolerance, Middle::kShot);
-  outcome = newton({Goal::kEndPoint, length, {start->x, w}}, options, kMaxNewtonIterations, shooting);
+  for (int i = 0; i < kMostSofter; ++i, start->cable.bending_stiffness *= kSofter) {
+    const int before = outcome.iterations;
+    shooting->start(start->cable, length, forces.horizontal, forces.vertical, options.tolerance);
+    outcome = newton({Goal::kEndPoint, length, {start->x, w}}, options, kMaxNewtonIterations, shooting);
+    outcome.iterations += before;
+    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) break;
+  }
   if (!outcome.status.ok()) return outcome;
 
   MultipleShooting last = *shooting;
@@ -168,7 +189,9 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
   for (int i = 0; i < kMaxPathSteps && share < 1.0; ++i) {
     const double next = std::min(1.0, share + step);
     const PathPoint point = between(*start, goal, next);
-    shooting->changeProperties(point.cable);
+    if (start->cable.bending_stiffness != cable.bending_stiffness || start->cable.weight != cable.weight) {
+      shooting->changeProperties(point.cable);
+    }
     const BendingOutcome local = newton({Goal::kEndPoint, length, {point.x, w}}, options, 12, shooting);
     outcome.iterations += local.iterations;
     outcome.closure_residual = local.closure_residual;
@@ -193,8 +216,10 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
   return outcome;
 }
 
+// Pulls all along, within rounding of a vertical cable.
 bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f) {
-  return f.horizontal > 0.0 || (f.horizontal == 0.0 && (f.vertical < 0.0 || f.vertical > cable.weight * length));
+  const double outside = std::max(-f.vertical, f.vertical - cable.weight * length);
+  return f.horizontal > 0.0 || (outside > 0.0 && f.horizontal >= -1e-12 * outside);
 }
 
 // Moves the end point from a start until the forces are those asked for.
@@ -278,6 +303,37 @@ BendingOutcome scanStartAngles(const CableProperties& cable, double length, cons
   return outcome;
 }
 
+// Problem 1 of a loop: pulled open by more horizontal force it bends as gently as its catenary; the force is then
+// lowered to that asked for.
+BendingOutcome closeLoop(const CableProperties& cable, double length, const ForcesAtA& forces,
+                         const BendingOptions& options, MultipleShooting* shooting) {
+  const double open = std::cbrt(cable.bending_stiffness * cable.weight * cable.weight / kSafeBend);
+  shooting->start(cable, length, open, forces.vertical, options.tolerance);
+  BendingOutcome outcome = followBendingPosition(length, {open, forces.vertical}, options, shooting);
+  MultipleShooting last = *shooting;
+  double share = 0.0;
+  double step = 0.25;
+  for (int i = 0; i < kMaxLoopSteps && outcome.status.ok() && share < 1.0; ++i) {
+    const double next = std::min(1.0, share + step);
+    const ForcesAtA at{open + next * (forces.horizontal - open), forces.vertical};
+    const BendingOutcome local = followBendingPosition(length, at, options, shooting);
+    outcome.iterations += local.iterations;
+    if (local.status.code == Code::kTimedOut) outcome.status = local.status;
+    if (local.status.ok() && shooting->end().position.x() >= -1e-12 * length && onSaggingBranch(*shooting)) {
+      last = *shooting;
+      share = next;
+      step *= 1.7;
+    } else {
+      shooting->restore(last);
+      step *= 0.4;
+    }
+  }
+  if (outcome.status.ok() && share < 1.0) {
+    outcome.status = {Code::kNotConverged, "the loop could not be closed to the horizontal force asked for"};
+  }
+  return outcome;
+}
+
 // Problem 1 through problem 2, from several end points in turn: a strut, nearly straight, if the cable is
 // pushed hard; loops whose legs share the weight, from wide to narrow.
 BendingOutcome searchEndOfForces(const CableProperties& cable, double length, const ForcesAtA& forces,
@@ -330,7 +386,7 @@ BendingOutcome solveBendingForces(const CableProperties& cable, double length, d
   const double compression = std::isfinite(cable.axial_stiffness)
                                  ? cable.axial_stiffness * (1.0 - std::hypot(x, w) / length)
                                  : std::numeric_limits<double>::infinity();
-  if (compression >= 0.0 && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
+  if (compression >= -cable.weight * length && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
     shooting->startStraight(cable, length, x, w, options.tolerance);
     outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
     direct_iterations += outcome.iterations;
@@ -367,6 +423,10 @@ BendingOutcome solveBendingPosition(const CableProperties& cable, double length,
                                 std::hypot(forces.horizontal, forces.vertical - cable.weight * length));
   if (length * std::sqrt(force / cable.bending_stiffness) < kScanLayers) {
     const BendingOutcome outcome = scanStartAngles(cable, length, forces, options, shooting);
+    if (outcome.status.code != Code::kNotConverged) return outcome;
+  }
+  if (forces.vertical > 0.0 && forces.vertical < cable.weight * length) {
+    const BendingOutcome outcome = closeLoop(cable, length, forces, options, shooting);
     if (outcome.status.code != Code::kNotConverged) return outcome;
   }
   return searchEndOfForces(cable, length, forces, options, shooting);

@@ -24,6 +24,7 @@ double inverseTensionIntegral(const CableProperties& cable, double h, const Ends
   const double r = cable.weight * length / sum;
   if (r < 1e-4) return 2.0 * length / sum * (1.0 + r * r / 3.0);
   if (r < 0.5) return 2.0 / cable.weight * std::atanh(r);
+  if (e.u < 0.0 && e.v < 0.0) return std::log((e.t_b - e.v) / (e.t_a - e.u)) / cable.weight;
   const double above_a = e.u > 0.0 ? e.t_a + e.u : h * h / (e.t_a - e.u);
   const double above_b = e.v > 0.0 ? e.t_b + e.v : h * h / (e.t_b - e.v);
   return std::log(above_a / above_b) / cable.weight;

@@ -64,8 +64,8 @@ bool MultipleShooting::integrate(bool adapt) {
 void MultipleShooting::evaluateModes(std::size_t k) {
   Segment& segment = segments_[k];
   const double span = length_ / reference_length_;
-  slow_begin_ = slowState(parameters(), segment.begin * span, slow_order_);
-  slow_end_ = slowState(parameters(), segment.end * span, slow_order_);
+  segment.slow_begin = slowState(parameters(), segment.begin * span, slow_order_);
+  segment.slow_end = slowState(parameters(), segment.end * span, slow_order_);
   segment.shot.end.alpha = node(k + 1).x();
   segment.shot.end.moment = node(k + 1).y();
 }
@@ -74,10 +74,10 @@ void MultipleShooting::evaluateMiddle(std::size_t k) {
   evaluateModes(k);
   Segment& segment = segments_[k];
   const double span = length_ / reference_length_;
-  slow_stretch_ = slowStretch(parameters(), segment.begin * span, segment.end * span, slow_order_);
-  const Eigen::Vector2d along = slow_stretch_.displacement +
-                                slow_begin_.ahead * (segment.node.x() - slow_begin_.alpha) +
-                                slow_end_.behind * (segment.shot.end.alpha - slow_end_.alpha);
+  segment.slow_stretch = slowStretch(parameters(), segment.begin * span, segment.end * span, slow_order_);
+  const Eigen::Vector2d along = segment.slow_stretch.displacement +
+                                segment.slow_begin.ahead * (segment.node.x() - segment.slow_begin.alpha) +
+                                segment.slow_end.behind * (segment.shot.end.alpha - segment.slow_end.alpha);
   segment.shot.end.x = along.x();
   segment.shot.end.w = along.y();
 }
@@ -173,10 +173,10 @@ MultipleShooting::Condition MultipleShooting::joinMiddle(const Condition& at_beg
     condition.right *= scale;
     return condition;
   };
-  const Condition growing = absent(slow_begin_, slow_begin_.decay, segment->begin, segment->node);
+  const Condition growing = absent(segment->slow_begin, segment->slow_begin.decay, segment->begin, segment->node);
   const double sign = growing.row.dot(variation_) < 0.0 ? -1.0 : 1.0;
   if (sign * variation_.x() < 0.0) ++focal_points_;
-  variation_ << sign, sign * slow_end_.growth;
+  variation_ << sign, sign * segment->slow_end.growth;
 
   Eigen::Matrix<double, 2, 6> rows;
   rows << at_begin.row, at_begin.right, growing.row, growing.right;
@@ -186,7 +186,7 @@ MultipleShooting::Condition MultipleShooting::joinMiddle(const Condition& at_beg
   segment->triangle = rows.leftCols<2>();
   segment->coupling.setZero();
   segment->right = rows.rightCols<4>();
-  return absent(slow_end_, -slow_end_.growth, segment->end, next);
+  return absent(segment->slow_end, -segment->slow_end.growth, segment->end, next);
 }
 
 // The segment's share of (x, w), given what the node at its end does.
@@ -199,10 +199,10 @@ MultipleShooting::Affine MultipleShooting::displacement(const Segment& segment, 
           Eigen::RowVector3d(slow.derivative(0, 0), slow.derivative(0, 1), share * slow.derivative(0, 2));
       return angle;
     };
-    result = slow_begin_.ahead * departure(slow_begin_, segment.change, segment.begin) +
-             slow_end_.behind * departure(slow_end_, next_change, segment.end);
-    result.middleCols<2>(1) += slow_stretch_.derivative.leftCols<2>();
-    result.col(3) += slow_stretch_.derivative.rightCols<2>() * Eigen::Vector2d(segment.begin, segment.end);
+    result = segment.slow_begin.ahead * departure(segment.slow_begin, segment.change, segment.begin) +
+             segment.slow_end.behind * departure(segment.slow_end, next_change, segment.end);
+    result.middleCols<2>(1) += segment.slow_stretch.derivative.leftCols<2>();
+    result.col(3) += segment.slow_stretch.derivative.rightCols<2>() * Eigen::Vector2d(segment.begin, segment.end);
   } else {
     result = segment.shot.sensitivity.bottomLeftCorner<2, 2>() * segment.change;
     result.middleCols<2>(1) += segment.shot.sensitivity.bottomRightCorner<2, 2>();

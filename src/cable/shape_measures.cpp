@@ -56,17 +56,19 @@ ShotState MultipleShooting::middleState(const Segment& middle, double t_from, co
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
   const SlowState slow = slowState(p, t, slow_order_);
-  const double from_begin = middle.node.x() - slow_begin_.alpha;
-  const double from_end = middle.shot.end.alpha - slow_end_.alpha;
+  const double from_begin = middle.node.x() - middle.slow_begin.alpha;
+  const double from_end = middle.shot.end.alpha - middle.slow_end.alpha;
   const auto ahead = [&](double at) {
-    return from_begin * std::exp(-slow_begin_.decay * (1.0 + p.eps * slow_begin_.tension) * (at - middle.begin * span));
+    return from_begin *
+           std::exp(-middle.slow_begin.decay * (1.0 + p.eps * middle.slow_begin.tension) * (at - middle.begin * span));
   };
   const auto behind = [&](double at) {
-    return from_end * std::exp(-slow_end_.growth * (1.0 + p.eps * slow_end_.tension) * (middle.end * span - at));
+    return from_end *
+           std::exp(-middle.slow_end.growth * (1.0 + p.eps * middle.slow_end.tension) * (middle.end * span - at));
   };
   const Eigen::Vector2d along = slowStretch(p, t_from, t, slow_order_).displacement +
-                                slow_begin_.ahead * (ahead(t_from) - ahead(t)) +
-                                slow_end_.behind * (behind(t) - behind(t_from));
+                                middle.slow_begin.ahead * (ahead(t_from) - ahead(t)) +
+                                middle.slow_end.behind * (behind(t) - behind(t_from));
   return {slow.alpha + ahead(t) + behind(t), slow.moment - slow.decay * ahead(t) + slow.growth * behind(t),
           from.x + along.x(), from.w + along.y()};
 }
@@ -95,8 +97,10 @@ std::array<double, 2> MultipleShooting::whereTailsTurn(const Segment& middle) co
     const double ratio = -mode * angle * rate / slow.derivative(1, 2);
     return ratio > 1.0 ? std::min(std::log(ratio) / rate, 0.5 * (middle.end - middle.begin) * span) : 0.0;
   };
-  return {middle.begin * span + distance(slow_begin_, slow_begin_.decay, middle.node.x() - slow_begin_.alpha),
-          middle.end * span - distance(slow_end_, slow_end_.growth, middle.shot.end.alpha - slow_end_.alpha)};
+  return {middle.begin * span +
+              distance(middle.slow_begin, middle.slow_begin.decay, middle.node.x() - middle.slow_begin.alpha),
+          middle.end * span -
+              distance(middle.slow_end, middle.slow_end.growth, middle.shot.end.alpha - middle.slow_end.alpha)};
 }
 
 template <typename Visit>

@@ -6,25 +6,10 @@
 
 #include "cdpr_kinetostatics/cable/catenary.h"
 #include "cdpr_kinetostatics/cable/multiple_shooting.h"
+#include "mesh_rules.h"
 
 namespace cdpr_kinetostatics {
 namespace {
-
-// A segment spans at most this many local bending layers, and this much of the catenary's turning angle:
-// beyond about 4 layers Newton's method starts to fail.
-constexpr double kLayersPerSegment = 3.0;
-constexpr double kMostLayersPerSegment = 4.2;  // where forces have changed since
-constexpr double kAnglePerSegment = 1.0;       // [rad]
-
-// The quiet middle begins where so many layers have made the modes of the end too small to matter. A middle shorter
-// than a few segments is not worth its own errors.
-constexpr double kMiddleShare = 0.1;  // of the error [rad] that one integration step may make
-constexpr double kFewestLayersAtEnd = 8.0;
-constexpr double kMostLayersAtEnd = 24.0;
-constexpr double kShortestMiddle = 12.0;  // [layers]
-
-// A layer that forces have shortened to less than this share of what it should span is replaced.
-constexpr double kShortLayer = 0.8;
 
 // Share of the tolerance that one integration step may use up.
 constexpr double kStepShare = 0.1;
@@ -32,20 +17,21 @@ constexpr double kStepShare = 0.1;
 // Integration steps that a segment has room for at once.
 constexpr std::size_t kUsualSteps = 64;
 
+// Below this share of the tolerance of angles the cable counts as ruled by its stretch.
+constexpr double kStretchRules = 1e-2;
+constexpr double kSeveral = 4.0;
+
 // cosh(a)/sinh(b) and sinh(a)/sinh(b) for 0 <= a <= b, without overflow.
 double coshOverSinh(double a, double b) { return (std::exp(a - b) + std::exp(-a - b)) / -std::expm1(-2.0 * b); }
 double sinhOverSinh(double a, double b) { return (std::exp(a - b) - std::exp(-a - b)) / -std::expm1(-2.0 * b); }
 
-// Layers per unit of t.
-double layerRate(const ShotParameters& p, double t) { return std::sqrt(std::hypot(p.h, p.q * t - p.v)); }
-
-// Layers at the end t before a mode that it raises moves the cable's far end by less than the error [rad] of
-// alpha times the cable's length, second-order effects of the mode included (slow_manifold.h has the first).
-double layersNeeded(const ShotParameters& p, double t, double span, double error) {
-  const double rate = layerRate(p, t);
-  const double bend = p.q * p.h / std::pow(rate, 5);  // layer thickness over radius of curvature
-  const double effect = bend * bend / (rate * span * error);
-  return std::clamp(effect > 0.0 ? std::log(effect) : 0.0, kFewestLayersAtEnd, kMostLayersAtEnd);
+// The error of alpha that matters, over the tolerance. An error of alpha moves the end by that times the angle that the
+// cable turns. What this does to the forces depends on how the cable gives way: by its sag, which is as large as the
+// turn, or, if its bending stiffness keeps it straight, by its stretch alone.
+double angleScale(const CableProperties& cable, double length, double force, double turned) {
+  const double beam_turn = cable.weight * length * length * length / (24.0 * cable.bending_stiffness);
+  const double by_stretch = beam_turn < turned ? force / (cable.axial_stiffness * beam_turn) : turned;
+  return std::clamp(std::min(turned, by_stretch), 1e-6, 1.0);
 }
 
 }  // namespace
@@ -66,7 +52,9 @@ void MultipleShooting::start(const CableProperties& cable, double length, double
                              double vertical_force_a, double tolerance, Middle middle) {
   const double turned = std::abs(catenaryAngle(cable, horizontal_force, vertical_force_a, length) -
                                  catenaryAngle(cable, horizontal_force, vertical_force_a, 0.0));
-  begin(cable, length, {horizontal_force, vertical_force_a}, tolerance, std::clamp(turned, 1e-6, 1.0), middle);
+  const double force = std::hypot(horizontal_force, vertical_force_a);
+  begin(cable, length, {horizontal_force, vertical_force_a}, tolerance, angleScale(cable, length, force, turned),
+        middle);
   startNodes();
 }
 
@@ -74,14 +62,14 @@ void MultipleShooting::startStraight(const CableProperties& cable, double length
                                      double tolerance) {
   const double chord = std::hypot(x, w);
   const double tension = cable.axial_stiffness * (chord / length - 1.0);
-  begin(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * w / chord}, tolerance, 1.0,
-        Middle::kShot);
+  begin(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * w / chord}, tolerance,
+        angleScale(cable, length, std::abs(tension), 1.0), Middle::kShot);
   for (Segment& segment : segments_) segment.node << std::atan2(w, x), 0.0;
   last_node_ << std::atan2(w, x), 0.0;
 }
 
 void MultipleShooting::changeProperties(const CableProperties& cable) {
-  if (hasQuietMiddle()) replaceMesh(Middle::kShot);
+  if (hasQuietMiddle() && !hasShotBend()) replaceMesh(Middle::kShot);
   const double before = reference_length_;
   cable_ = cable;
   setReference();
@@ -90,6 +78,9 @@ void MultipleShooting::changeProperties(const CableProperties& cable) {
     segment.grid.clear();
   }
   shot_tolerance_.alpha = shot_tolerance_.moment = kStepShare * tolerance_;
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    if (segments_[k].quiet) evaluateModes(k);
+  }
 }
 
 std::optional<double> MultipleShooting::startFromAngle(const CableProperties& cable, double length,
@@ -112,7 +103,8 @@ std::optional<double> MultipleShooting::startFromAngle(const CableProperties& ca
 
 void MultipleShooting::placeSegments(Middle middle) {
   slow_order_ = 0;
-  if (middle == Middle::kShot || !placeAroundMiddle()) placeEverywhere();
+  shot_bend_ = false;
+  if (middle == Middle::kShot || !(placeAroundMiddle() || placeAroundBend())) placeEverywhere();
 }
 
 // Segments that fall away are kept with their buffers, so that a mesh that changes takes nothing from the heap.
@@ -189,7 +181,10 @@ void MultipleShooting::placeEverywhere() {
     share[i] = layers / kLayersPerSegment +
                std::abs(catenaryAngle(cable_, h, force_.y(), i * ds) - angle_a) / kAnglePerSegment;
   }
-  const int count = static_cast<int>(std::clamp(std::ceil(share[kSamples]), 1.0, kMaxSegments + 1.0));
+  // Where stretch rules the forces, the error of x and w matters, which no step control looks at: several steps at
+  // least.
+  const double fewest = shot_tolerance_.alpha < kStretchRules * kStepShare * tolerance_ ? kSeveral : 1.0;
+  const int count = static_cast<int>(std::clamp(std::ceil(share[kSamples]), fewest, kMaxSegments + 1.0));
   setSegmentCount(count);
   int sample = 1;
   double begin = 0.0;
@@ -233,7 +228,11 @@ void MultipleShooting::startNodes() {
 }
 
 bool MultipleShooting::meshFits() {
-  if (!hasQuietMiddle()) return true;
+  if (hasShotBend()) return bendFits();
+  return !hasQuietMiddle() || middleFits();
+}
+
+bool MultipleShooting::middleFits() {
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
   std::size_t middle = 0;
@@ -250,10 +249,18 @@ bool MultipleShooting::meshFits() {
 }
 
 // From the catenary again: a shot from nodes that are not joined would not lead where the cable is, and a cable
-// that had a quiet middle is near its catenary.
+// whose middle was quiet is near its catenary. A loop that bends more sharply than its own layers is not: it keeps its
+// shape.
 void MultipleShooting::replaceMesh(Middle middle) {
-  placeSegments(middle);
-  startNodes();
+  const ShotParameters p = parameters();
+  if (p.h < std::cbrt(p.q * p.q)) {
+    const MultipleShooting before = *this;
+    placeSegments(middle);
+    keepShape(before);
+  } else {
+    placeSegments(middle);
+    startNodes();
+  }
 }
 
 }  // namespace cdpr_kinetostatics

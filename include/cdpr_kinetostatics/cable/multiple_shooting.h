@@ -3,10 +3,10 @@
 // A single shot over the whole cable amplifies errors by exp(kappa L). Here the cable is cut into segments
 // a few bending layers long; Newton's method joins them. Where the cable is many layers long only its ends are
 // shot: the quiet middle between them is one segment, in closed form (slow_manifold.h), so that the cost does
-// not grow with kappa L. Each pass integrates every segment once and eliminates the nodes by orthogonal
-// transformations, which leaves, for the outer problem, the end point as an affine function of the changes of
-// (H, V, L). Whoever chooses those changes (one cable, a robot, an estimator) calls step() with them, and the
-// nodes follow: nodes, forces and pose converge together.
+// not grow with kappa L. A loop too sharp for that is shot at its bend, too, between two quiet legs. Each pass
+// integrates every segment once and eliminates the nodes by orthogonal transformations, which leaves, for the outer
+// problem, the end point as an affine function of the changes of (H, V, L). Whoever chooses those changes (one cable, a
+// robot, an estimator) calls step() with them, and the nodes follow: nodes, forces and pose converge together.
 //
 // A workspace: keep one per cable and thread; after its first use it does not allocate for cables of the
 // same size.
@@ -48,8 +48,8 @@ class MultipleShooting {
   std::optional<double> startFromAngle(const CableProperties& cable, double length, double horizontal_force,
                                        double vertical_force_a, double angle, double tolerance);
 
-  // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept. The whole
-  // cable is shot from now on, from the catenary if it was not before.
+  // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept. A cable without a
+  // sharp bend is shot whole from now on, from the catenary if it was not before.
   void changeProperties(const CableProperties& cable);
 
   // Integrates all segments and eliminates the nodes. With adapt, step sizes are chosen anew, and segments too
@@ -94,6 +94,8 @@ class MultipleShooting {
   double bucklingForce() const;
   int segments() const { return static_cast<int>(segments_.size()); }
   bool hasQuietMiddle() const { return slow_order_ > 0; }
+  // A bend that is shot parts the quiet middle from an end, or in two.
+  bool hasShotBend() const { return shot_bend_; }
   // Integration steps of one pass.
   int steps() const;
   // All integration since construction.
@@ -106,12 +108,14 @@ class MultipleShooting {
   using Affine = Eigen::Matrix<double, 2, 4>;
 
   struct Segment {
-    bool quiet = false;  // the middle: no shot, and its own end's node is apart from its beginning's
+    bool quiet = false;  // no shot, and its own end's node is apart from its beginning's
     double begin = 0.0;  // fractions of the length
     double end = 0.0;
     Eigen::Vector2d node = Eigen::Vector2d::Zero();  // (alpha, moment) where the segment begins
     StepGrid grid;
     Shot shot;
+    SlowState slow_begin, slow_end;  // if quiet
+    SlowStretch slow_stretch;
     ShotState begin_derivative, end_derivative;
     // Elimination: triangle * dz_k + coupling * dz_(k+1) = right.
     Eigen::Matrix2d triangle, coupling;
@@ -125,8 +129,8 @@ class MultipleShooting {
     Eigen::RowVector4d right;
   };
 
-  // More segments than this are refused: they would take a tenth of a second for one pass.
-  static constexpr int kMaxSegments = 5000;
+  // More segments than this are refused: no cable needs them that is not lost already.
+  static constexpr int kMaxSegments = 1000;
 
   void begin(const CableProperties& cable, double length, const Eigen::Vector2d& force, double tolerance,
              double angle_scale, Middle middle);
@@ -138,7 +142,16 @@ class MultipleShooting {
   void placeEverywhere();
   void startNodes();
   bool meshFits();
+  bool middleFits();
   void replaceMesh(Middle middle);
+
+  // The same for a cable with a sharp bend, shot between two quiet legs (bend_mesh.cpp).
+  bool placeAroundBend();
+  void appendSegment(double begin, double end, bool quiet);
+  void shootBetween(double t_from, double t_to);
+  bool bendFits();
+  void keepShape(const MultipleShooting& before);
+  Eigen::Vector2d stateAt(double share) const;
 
   void setReference();
   ShotParameters parameters() const;
@@ -169,9 +182,8 @@ class MultipleShooting {
   double reference_moment_ = 1.0;                    // F0 l0 [N m]
   ShotTolerance shot_tolerance_;
   std::vector<Segment> segments_, spare_segments_;
-  int slow_order_ = 0;               // of the middle; 0: none
-  SlowState slow_begin_, slow_end_;  // of the middle
-  SlowStretch slow_stretch_;
+  int slow_order_ = 0;  // of the quiet segments; 0: none
+  bool shot_bend_ = false;
   Eigen::Vector2d last_node_ = Eigen::Vector2d::Zero();  // (alpha, moment) at B
   Affine last_change_ = Affine::Zero();
   EndPoint end_;

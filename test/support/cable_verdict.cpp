@@ -136,7 +136,8 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
         [&](const VerifiedCable& found) { return std::hypot(found.x - claim.x, found.w - claim.w) / c.length; },
         [&] { return findPosition(c.cable, c.length, truth.h, truth.v, withProfile(options)).profile; });
     const bool there = std::hypot(placed.x - c.x, placed.w - c.w) < kSame * c.length;
-    const bool asked_for = checked.verified.sags() && (there || truth.h <= 0.0) && placed.x >= -kSame * c.length;
+    const bool pulls = truth.h > 0.0 && c.x * truth.h + c.w * (0.5 * c.cable.weight * c.length - truth.v) > 0.0;
+    const bool asked_for = checked.verified.sags() && (there || !pulls) && placed.x >= -kSame * c.length;
     verdict.position.error = checked.error;
     verdict.position.outcome = outcomeOf(checked, options.accuracy, asked_for);
   }

@@ -13,7 +13,6 @@ namespace cdpr_kinetostatics {
 namespace {
 
 constexpr int kMaxIterations = 40;
-constexpr int kMaxHalvings = 5;
 
 }  // namespace
 
@@ -47,29 +46,19 @@ SingleShooting shootSingly(const CableProperties& cable, double length, double x
     }
     return Eigen::Vector3d(shot.end.moment, shot.end.x / span - end.x(), shot.end.w / span - end.y());
   };
-  std::optional<Eigen::Vector3d> defect = residual(unknown);
-  for (int i = 0; i < kMaxIterations && defect; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     result.iterations = i + 1;
+    const std::optional<Eigen::Vector3d> defect = residual(unknown);
+    if (!defect) return result;
     const Eigen::Vector3d change = -(jacobian.inverse() * *defect);
     if (!change.allFinite()) return result;
-    const bool small = change.norm() <= tolerance;
-    std::optional<Eigen::Vector3d> next;
-    double damping = std::min(1.0, 1.0 / change.norm());
-    for (int k = 0; k < kMaxHalvings; ++k, damping *= 0.5) {
-      next = residual(unknown + damping * change);
-      if (next && (small || next->norm() < defect->norm())) break;
-      next.reset();
-    }
-    if (!next) return result;
-    unknown += damping * change;
-    defect = next;
-    if (small) {
-      result.converged = defect->norm() <= 100.0 * tolerance;
-      result.angle_a = unknown[0];
-      result.h = force * unknown[1];
-      result.v = force * unknown[2];
-      return result;
-    }
+    unknown += change;
+    if (change.norm() > tolerance * unknown.norm()) continue;
+    result.converged = defect->norm() <= 100.0 * tolerance;
+    result.angle_a = unknown[0];
+    result.h = force * unknown[1];
+    result.v = force * unknown[2];
+    return result;
   }
   return result;
 }

@@ -192,7 +192,7 @@ int main(int argc, char** argv) {
             << "branch" << std::setw(10) << "inacc." << std::setw(10) << "unverif."
             << "\n";
   for (const bool corner : {false, true}) {
-    const std::string where = corner ? ", crushed rods" : "";
+    const std::string where = corner ? ", corners" : "";
     report(
         "1 FIND_POSITION" + where, cables, verdicts, [](const auto& v) -> const Judged& { return v.position; }, corner);
     report(

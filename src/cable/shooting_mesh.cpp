@@ -18,8 +18,8 @@ constexpr double kStepShare = 0.1;
 constexpr std::size_t kUsualSteps = 64;
 
 // Below this share of the tolerance of angles the cable counts as ruled by its stretch.
-constexpr double kStretchRules = 1e-2;
-constexpr double kSeveral = 4.0;
+constexpr double kStretchRules = 0.1;
+constexpr double kSeveral = 16.0;
 
 // cosh(a)/sinh(b) and sinh(a)/sinh(b) for 0 <= a <= b, without overflow.
 double coshOverSinh(double a, double b) { return (std::exp(a - b) + std::exp(-a - b)) / -std::expm1(-2.0 * b); }

@@ -152,7 +152,10 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
     const ClaimedCable claim{c.cable, cut.length, c.x, c.w, cut.horizontal_force, cut.vertical_force_a, {}};
     const Check checked = check(
         claim, Kept::kEndPoint, options.accuracy,
-        [&](const VerifiedCable& found) { return std::abs(std::hypot(found.h, found.v) - tension) / tension; },
+        [&](const VerifiedCable& found) {
+          return std::abs(std::hypot(found.h, found.v) - tension) /
+                 largerTension(c.cable, cut.length, found.h, found.v);
+        },
         [&] { return findForces(c.cable, cut.length, c.x, c.w, withProfile(options)).profile; });
     const bool asked_for =
         options.hinted ? std::abs(cut.length - c.length) <= kSame * c.length : cut.length <= (1.0 + kSame) * c.length;

@@ -25,7 +25,7 @@ struct Judged {
   std::string message;
   double time = 0.0;  // [s]
   int iterations = 0;
-  double error = 0.0;  // forces over the larger end tension (2), end over length (1), tension over tension asked (3)
+  double error = 0.0;  // end over length (1); forces (2) and tension (3) over the larger end tension
 };
 
 struct CableVerdict {

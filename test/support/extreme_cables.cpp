@@ -11,8 +11,10 @@ namespace {
 
 enum Dimension { kChord, kInclination, kForce, kStrain, kLoad, kLayers, kDimensions };
 
-// A rod this thick (radius of gyration over length) and longer than its chord is shortened by a tenth before it bows.
-constexpr double kThickest = 0.1;
+// Radius of gyration over length: from the first on a rod longer than its chord is shortened by a tenth before it bows,
+// from the second on it is no rod.
+constexpr double kThick = 0.1;
+constexpr double kBlock = 0.5;
 
 // Shares in (0, 1): every dimension has exactly one value in each of count equal intervals.
 std::array<std::vector<double>, kDimensions> latinHypercube(int count) {
@@ -34,7 +36,8 @@ double logarithmic(double low, double high, double share) { return low * std::po
 
 std::string ExtremeCable::corner() const {
   const double thickness = std::sqrt(cable.bending_stiffness / cable.axial_stiffness) / length;
-  if (!taut && thickness > kThickest) return "crushed";
+  if (thickness > kBlock) return "thicker than long";
+  if (!taut && thickness > kThick) return "crushed";
   return "";
 }
 

@@ -2,10 +2,10 @@
 """scipy.integrate.solve_bvp against this package (docs/performance.md, item 6).
 
 One cable between two ends at equal error, and the forward kinetostatics of a robot with a boundary value problem per
-cable inside scipy.optimize.root, as the paper's authors swept their unknowns. solve_bvp starts from
-the catenary, in units that suit it. "As it comes" it has a uniform mesh and Jacobians by differences, which is how bvp4c
-is mostly used; "at its best" it is also given a mesh that is fine in the bending layers, analytic Jacobians and, in the
-robot, the last solution of each cable.
+cable inside scipy.optimize.root, as the paper's authors swept their unknowns. solve_bvp starts from the
+catenary, in units that suit it. "As it comes" it has a uniform mesh and Jacobians by differences, bvp4c's defaults;
+"at its best" it is also given a mesh that is fine in the bending layers, analytic Jacobians and, in the robot, the last
+solution of each cable.
     compare_scipy.py --programs DIR [--quick] [--csv FILE]      DIR: where the program solve_times is
 """
 import argparse
@@ -284,10 +284,10 @@ def main():
     report = []
     compare_cables(arguments.programs, arguments.quick, report)
     # One step of a path: the paper's by changing L1, CoGiRo's by 10 mm.
-    compare_robot(arguments.programs, "paper_point_mass", (0.01, 0.0, 0.0), (1e-3,) if arguments.quick else (1e-3, 1e-5),
-                  report)
+    tolerances = (1e-3,) if arguments.quick else (1e-3, 1e-5)
+    compare_robot(arguments.programs, "paper_point_mass", (0.01, 0.0, 0.0), tolerances, report)
     if not arguments.quick:
-        compare_robot(arguments.programs, "cogiro", (0.01, 0.0, 0.0), (1e-3, 1e-5), report)
+        compare_robot(arguments.programs, "cogiro", (0.01, 0.0, 0.0), tolerances, report)
     print()
     for item, quantity, measured, relation, target in report:
         verdict = "met" if measured >= target else "missed"

@@ -53,7 +53,16 @@ def scatter(axes, rows, problem, taut, title):
         )
     axes.set(xscale="log", yscale="log", ylabel="strain" if taut else "L/chord - 1")
     axes.set_title(title, pad=22)
-    axes.legend(fontsize=7, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=5, markerscale=3, frameon=False)
+    axes.legend(
+        fontsize=7,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 0.99),
+        ncol=5,
+        markerscale=2,
+        frameon=False,
+        handletextpad=0.1,
+        columnspacing=0.8,
+    )
 
 
 def draw_outcomes(rows, file):

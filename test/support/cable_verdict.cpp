@@ -121,7 +121,7 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
     verdict.single.error =
         std::hypot(single.h - truth.h, single.v - truth.v) / largerTension(c.cable, c.length, truth.h, truth.v);
     verdict.single.outcome = verdict.single.error <= options.accuracy ? Outcome::kSolved
-                             : verdict.single.error < kSame           ? Outcome::kInaccurate
+                             : verdict.single.error < 0.01            ? Outcome::kInaccurate
                                                                       : Outcome::kWrongBranch;
   }
   if (verdict.forces.outcome != Outcome::kSolved) return verdict;

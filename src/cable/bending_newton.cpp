@@ -1,0 +1,84 @@
+#include "bending_newton.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// Node angles move at most this much in one Newton step [rad].
+constexpr double kMaxAngleStep = 0.7;
+
+// Below this angle change the integration steps are frozen, and Newton's method converges to rounding.
+constexpr double kFreezeBelow = 1e-3;
+// They are frozen after so many iterations in any case: where a cable hardly stretches, its forces magnify the
+// error of integration, and would jitter with the steps for ever.
+constexpr int kAdaptiveIterations = 10;
+
+// Forces are told apart down to this share of the cable's buckling load.
+constexpr double kLeastForce = 1e-3;
+
+}  // namespace
+
+double sharpestBend(const CableProperties& cable, double length, const ForcesAtA& f) {
+  const bool bottom_inside = f.vertical > 0.0 && f.vertical < cable.weight * length;
+  const double v = bottom_inside ? 0.0 : std::min(std::abs(f.vertical), std::abs(f.vertical - cable.weight * length));
+  const double t = std::hypot(f.horizontal, v);
+  const double turn = cable.weight * f.horizontal / (t * t);
+  if (t == 0.0) return std::numeric_limits<double>::infinity();
+  return cable.bending_stiffness / t * turn * turn;
+}
+
+bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f) {
+  const double outside = std::max(-f.vertical, f.vertical - cable.weight * length);
+  return f.horizontal > 0.0 || (outside > 0.0 && f.horizontal >= -1e-12 * outside);
+}
+
+BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options, int max_iterations,
+                      MultipleShooting* shooting) {
+  BendingOutcome outcome;
+  bool adapt = true;
+  double last_size = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < max_iterations; ++i) {
+    if (std::chrono::steady_clock::now() > options.deadline) {
+      outcome.status = {Code::kTimedOut, "the time allowed ran out while joining the cable's segments"};
+      return outcome;
+    }
+    ++outcome.iterations;
+    if (!shooting->linearise(adapt)) break;
+    Eigen::Vector3d change(0.0, 0.0, target.length - shooting->length());
+    if (target.goal == Goal::kEndPoint) {
+      const Eigen::Matrix<double, 2, 3>& jacobian = shooting->end().jacobian;
+      const Eigen::Vector2d defect = target.value - shooting->end().position - jacobian.col(2) * change.z();
+      change.head<2>() = jacobian.leftCols<2>().inverse() * defect;
+      outcome.closure_residual = defect.norm();
+    } else {
+      change.head<2>() = target.value - Eigen::Vector2d(shooting->horizontalForce(), shooting->verticalForceA());
+    }
+    if (!change.allFinite()) break;
+    const double tension = std::max(std::hypot(shooting->horizontalForce(), shooting->verticalForceA()),
+                                    kLeastForce * shooting->bucklingForce());
+    const double angle = shooting->angleChange(change);
+    const double size = std::max(angle, change.head<2>().norm() / tension);
+    const double damping = std::min(1.0, kMaxAngleStep / angle);
+    const bool at_rounding = outcome.closure_residual <= 1e-14 * target.length && angle <= options.tolerance;
+    const bool stalled = size >= 0.5 * last_size && size < 1e-5;
+    if (!adapt && (size <= options.tolerance || (stalled && at_rounding))) {
+      shooting->step(change, damping);
+      outcome.status.code = Code::kConverged;
+      return outcome;
+    }
+    shooting->step(change, damping);
+    adapt = size > kFreezeBelow && i < kAdaptiveIterations;
+    last_size = size;
+  }
+  outcome.status = {Code::kNotConverged,
+                    shooting->tooManySegments()
+                        ? "the cable bends sharply over too many bending layers to be shot: a catenary is accurate here"
+                        : "Newton's method did not join the cable's segments"};
+  return outcome;
+}
+
+}  // namespace cdpr_kinetostatics

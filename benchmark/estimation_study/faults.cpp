@@ -182,9 +182,10 @@ void studyFaults(const Study& study) {
               }
             }
             const Outcome outcome = compare(robot, fault, cable, clean.back(), last, expected, estimator.update(last));
-            const std::string onset = tracking ? "while tracking" : "from the start";
-            by_fault[std::string(nameOf(fault)) + ", " + onset].add(outcome, robot.estimator.outlier_threshold);
-            by_robot["`" + name + "`, " + onset].add(outcome, robot.estimator.outlier_threshold);
+            const char* onset = tracking ? "while tracking" : "from the start";
+            const std::string when = std::string(", ") + onset;
+            by_fault[nameOf(fault) + when].add(outcome, robot.estimator.outlier_threshold);
+            by_robot[name + when].add(outcome, robot.estimator.outlier_threshold);
             csv.row(name, nameOf(fault), onset, d, cable, outcome.size, outcome.visible, outcome.solved,
                     outcome.flagged, outcome.others, outcome.distance, outcome.own_distance);
           }

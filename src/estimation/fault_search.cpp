@@ -15,11 +15,31 @@ constexpr double kTestable = 0.01;
 // A measurement that jumps this many times farther than most others since the last estimate is not trusted at first.
 constexpr double kJump = 10.0;
 
-// Some residual exceeds the threshold in units of its own standard deviation.
+// A sum of squares no more than so many standard deviations above its mean is what noise makes, if so many redundant
+// measurements say so: fewer agree by chance.
+constexpr double kPlausible = 1.0;
+constexpr int kWitnesses = 4;
+
+// A residual in units of its own standard deviation; 0 if the others cannot check it.
+double statistic(const Observation& o) {
+  return o.redundancy >= kTestable ? std::abs(o.residual) / std::sqrt(o.redundancy) : 0.0;
+}
+
 bool disagree(const std::vector<Observation>& observations, double threshold) {
-  return std::any_of(observations.begin(), observations.end(), [&](const Observation& o) {
-    return o.redundancy >= kTestable && std::abs(o.residual) > threshold * std::sqrt(o.redundancy);
-  });
+  return std::any_of(observations.begin(), observations.end(),
+                     [&](const Observation& o) { return statistic(o) > threshold; });
+}
+
+std::vector<Observation> worstFirst(std::vector<Observation> observations) {
+  std::stable_sort(observations.begin(), observations.end(),
+                   [](const Observation& l, const Observation& r) { return statistic(l) > statistic(r); });
+  return observations;
+}
+
+// Only noise is left.
+bool isPlausible(const Adjusted& adjusted) {
+  const double mean = adjusted.redundancy;
+  return adjusted.redundancy >= kWitnesses && adjusted.weighted_squares < mean + kPlausible * std::sqrt(2.0 * mean);
 }
 
 void leaveOut(const Observation& observation, Selection* selection) {
@@ -103,12 +123,13 @@ Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start
   while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0 &&
          disagree(candidate.adjusted.observations, measured.options.outlier_threshold)) {
     std::optional<Candidate> best;
-    for (const Observation& suspect : candidate.adjusted.observations) {
+    for (const Observation& suspect : worstFirst(candidate.adjusted.observations)) {
       Selection without = candidate.selection;
       leaveOut(suspect, &without);
       Candidate trial = adjust(measured, start, without);
       if (!trial.adjusted.status.ok()) continue;
       if (!best || trial.adjusted.weighted_squares < best->adjusted.weighted_squares) best = std::move(trial);
+      if (isPlausible(best->adjusted)) break;
     }
     if (!best) break;
     candidate = std::move(*best);

@@ -6,7 +6,8 @@
 namespace cdpr_kinetostatics {
 
 // Adjusts, and leaves out what is faulty, always from the same start. A gross error bends the whole estimate, shows in
-// many residuals and least of all in its own: which one is at fault, leaving out each in turn tells.
+// many residuals and least of all in its own: which one is at fault, leaving out each in turn tells, the likely ones
+// first, until only noise is left.
 Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection);
 
 // The same from the last estimate. What that left out, and what has jumped since while most measurements have not, is

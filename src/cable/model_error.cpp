@@ -87,6 +87,12 @@ ModelError modelError(const CableProperties& cable, const CableSolution& solutio
 }
 
 RungErrors rungErrors(const CableProperties& cable, double length, double h, double v) {
+  RungErrors errors;
+  if (!(h > 0.0)) {
+    for (ModelError& error : errors) error.known = false;
+    errors.back().known = true;
+    return errors;
+  }
   const EndPoint catenary = catenaryEnd(cable, h, v, length);
   const Eigen::Matrix2d compliance = catenary.jacobian.leftCols<2>();
   const Eigen::Matrix2d stiffness = inverseOrZero(compliance);
@@ -95,7 +101,6 @@ RungErrors rungErrors(const CableProperties& cable, double length, double h, dou
   const Eigen::Vector2d off_line = compliance * Eigen::Vector2d(line.horizontal - h, line.vertical - v);
   const std::array<Eigen::Vector2d, kAutoRungCount> ends = {bending.end + off_line, bending.end, bending.beyond_first,
                                                             Eigen::Vector2d::Zero()};
-  RungErrors errors;
   for (std::size_t r = 0; r < ends.size(); ++r) {
     errors[r] =
         errorOf(ends[r], stiffness, bending.trusted || kAutoRungs[r] == Model::kBending, std::hypot(h, v), length);

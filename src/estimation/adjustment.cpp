@@ -48,7 +48,8 @@ bool isNegativeDefinite(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
-                const Selection& selection, const RobotForces& start, std::chrono::steady_clock::time_point deadline) {
+                const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start,
+                std::chrono::steady_clock::time_point deadline) {
   Adjusted adjusted;
   const double left = std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count();
   if (left <= 0.0) {
@@ -64,7 +65,7 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   }
   const bool rigid = robot.type == PlatformType::kRigidBody;
   ceres::Problem problem;
-  auto* cost = new MeasurementCost(robot, options, measurements, selection, start);
+  auto* cost = new MeasurementCost(robot, options, measurements, selection, rungs, start);
   problem.AddResidualBlock(cost, nullptr, position.data(), orientation.coeffs().data(), densities.data());
   if (rigid) {
     problem.SetManifold(orientation.coeffs().data(), new ceres::EigenQuaternionManifold);
@@ -112,7 +113,8 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   adjusted.cables = cost->cables();
   adjusted.observations = observationsOf(robot, selection);
   for (std::size_t k = 0; k < residuals.size(); ++k) adjusted.observations[k].residual = residuals[k];
-  Eigen::MatrixXd jacobian = dense(sparse);
+  adjusted.jacobian = dense(sparse);
+  Eigen::MatrixXd& jacobian = adjusted.jacobian;
   if (rigid) jacobian.middleCols<3>(3) *= 0.5;  // the manifold's tangent is half the rotation vector
   const Eigen::Index freedoms = robot.freedoms();
   const LoadBalance balance = cost->loadBalance(adjusted.unknowns.pose, densities.data());

@@ -7,6 +7,7 @@
 
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "fault_search.h"
+#include "model_effect.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -14,7 +15,8 @@ namespace {
 // Directions with a standard deviation beyond this share of the robot's span are not fixed by the data.
 constexpr double kUnobservable = 1.0;
 
-void fillCables(const MeasuredRobot& measured, const Adjusted& adjusted, Estimate* estimate) {
+void fillCables(const MeasuredRobot& measured, const Candidate& candidate, Estimate* estimate) {
+  const Adjusted& adjusted = candidate.adjusted;
   const RobotDescription& robot = measured.robot;
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
@@ -22,6 +24,7 @@ void fillCables(const MeasuredRobot& measured, const Adjusted& adjusted, Estimat
     cables.push_back(adjusted.cables[i].describe(line.x, line.w, measured.options.profile_points));
   }
   assemble(robot, estimate->load, cables, &estimate->solution);
+  reportEffect(measured, candidate, &estimate->solution);
 }
 
 void fillCovariance(const RobotDescription& robot, const Eigen::MatrixXd& information, Estimate* estimate) {
@@ -91,12 +94,14 @@ Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
   estimate.weighted_squares = adjusted.weighted_squares;
   estimate.redundancy = adjusted.redundancy;
   fillCovariance(robot, adjusted.information, &estimate);
-  fillCables(measured, adjusted, &estimate);
+  fillCables(measured, candidate, &estimate);
+  std::string& message = estimate.solution.report.status.message;
+  if (measured.options.model == Model::kAuto) message = describeChoice(estimate.solution);
   if (estimate.unobservable_directions > 0) {
     std::ostringstream text;
     text << "the measurements leave " << estimate.unobservable_directions
          << " direction(s) of the pose unknown; they carry a variance of " << kUnknownVariance;
-    estimate.solution.report.status.message = text.str();
+    message = message.empty() ? text.str() : text.str() + "; " + message;
   }
   return estimate;
 }

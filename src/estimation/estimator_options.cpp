@@ -15,7 +15,9 @@ Wrench EstimatorOptions::defaultLoadStddev(const RobotDescription& robot) {
 
 bool EstimatorOptions::isValid(std::string* error) const {
   std::ostringstream text;
-  if (!(length_stddev > 0.0 && std::isfinite(length_stddev))) {
+  if (!(accuracy > 0.0 && std::isfinite(accuracy))) {
+    text << "accuracy = " << accuracy << " m must be positive";
+  } else if (!(length_stddev > 0.0 && std::isfinite(length_stddev))) {
     text << "length_stddev = " << length_stddev << " m must be positive";
   } else if (!(tension_stddev > 0.0 && std::isfinite(tension_stddev))) {
     text << "tension_stddev = " << tension_stddev << " N must be positive";

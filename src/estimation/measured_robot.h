@@ -13,6 +13,7 @@ struct MeasuredRobot {
   const CableMeasurements& measurements;
   const std::chrono::steady_clock::time_point deadline;
   const Selection available;  // all that was measured or is known
+  std::vector<Model> rungs;   // of each cable
 };
 
 // An adjustment and what took part in it.
@@ -22,7 +23,8 @@ struct Candidate {
 };
 
 inline Candidate adjust(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
-  return {adjust(measured.robot, measured.options, measured.measurements, selection, start, measured.deadline),
+  return {adjust(measured.robot, measured.options, measured.measurements, selection, measured.rungs, start,
+                 measured.deadline),
           selection};
 }
 

@@ -29,14 +29,14 @@ Eigen::Matrix<double, 3, 4> rotationByQuaternion(const Eigen::Quaterniond& q) {
 
 MeasurementCost::MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options,
                                  const CableMeasurements& measurements, const Selection& selection,
-                                 const RobotForces& start)
+                                 const std::vector<Model>& rungs, const RobotForces& start)
     : robot_(robot),
       options_(options),
       measurements_(measurements),
       selection_(selection),
       sensitivities_(robot.cables.size()) {
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    cables_.emplace_back(robot.cables[i].properties, options.model, options.tolerance);
+    cables_.emplace_back(robot.cables[i].properties, rungs[i], options.tolerance);
     cables_.back().start(start.lengths[i], start.forces[i]);
   }
   AddParameterBlock(3);

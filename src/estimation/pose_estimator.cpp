@@ -9,6 +9,7 @@
 #include "cold_start.h"
 #include "estimate_report.h"
 #include "fault_search.h"
+#include "model_effect.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -52,7 +53,30 @@ Selection available(const RobotDescription& robot, const EstimatorOptions& optio
   return selection;
 }
 
+// AUTO: adjusts anew on finer rungs while those in use neglect too much; kept are those of the last estimate. Returns
+// the rungs for the next one, which may be coarser.
+std::vector<Model> adaptRungs(MeasuredRobot* measured, Candidate* candidate, const std::vector<Model>& kept) {
+  std::vector<Model> wanted;
+  for (std::size_t attempt = 0; attempt < kAutoRungs.size() && candidate->adjusted.status.ok(); ++attempt) {
+    wanted = chooseRungs(rungEffects(*measured, *candidate), measured->options.accuracy, kept);
+    bool finer = false;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      finer = finer || wanted[i] > measured->rungs[i];
+      measured->rungs[i] = std::max(measured->rungs[i], wanted[i]);
+    }
+    if (!finer) break;
+    *candidate = adjust(*measured, candidate->adjusted.unknowns, candidate->selection);
+  }
+  return wanted;
+}
+
 }  // namespace
+
+struct PoseEstimator::Found {
+  Candidate best;
+  int iterations = 0;
+  bool warm_started = false;
+};
 
 PoseEstimator::PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options)
     : robot_(robot), options_(options), seed_(robot.home), near_(robot.home) {}
@@ -63,7 +87,8 @@ Estimate PoseEstimator::update(const CableMeasurements& measurements) {
   Estimate estimate;
   if (check.ok()) {
     const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options_.timeout);
-    estimate = solve({robot_, options_, measurements, deadline, available(robot_, options_, measurements)});
+    MeasuredRobot measured{robot_, options_, measurements, deadline, available(robot_, options_, measurements), {}};
+    estimate = solve(&measured);
   } else {
     estimate.solution = refusedRobot(options_.model, check);
   }
@@ -71,48 +96,64 @@ Estimate PoseEstimator::update(const CableMeasurements& measurements) {
   return estimate;
 }
 
-Estimate PoseEstimator::solve(const MeasuredRobot& measured) {
-  Candidate best;
-  bool warm_started = false;
-  int iterations = 0;
-  if (last_) {
-    best = adjustFrom(measured, *last_, left_out_);
-    warm_started = true;
-    iterations = best.adjusted.iterations;
+Estimate PoseEstimator::solve(MeasuredRobot* measured) {
+  const bool choose = options_.model == Model::kAuto;
+  measured->rungs = rungs_;
+  if (rungs_.empty()) measured->rungs.assign(robot_.cables.size(), choose ? Model::kCatenary : options_.model);
+  Found found = find(*measured);
+  if (choose) {
+    rungs_ = adaptRungs(measured, &found.best, rungs_);
+    if (!found.best.adjusted.status.ok()) {
+      rungs_.clear();
+      measured->rungs.assign(robot_.cables.size(), Model::kBending);
+      found = find(*measured);
+    }
   }
-  const bool moved = near_.position != seed_.position || near_.orientation.coeffs() != seed_.orientation.coeffs();
-  for (const Pose* seed : {&near_, &seed_}) {
-    if (isTrusted(measured, best) || (seed == &seed_ && !moved)) break;
-    Candidate cold = leaveOutFaults(measured, coldStart(measured, *seed, &iterations), measured.available);
-    iterations += cold.adjusted.iterations;
-    if (!isBetter(measured, cold, best)) continue;
-    best = std::move(cold);
-    warm_started = false;
-  }
-  Status status = best.adjusted.status;
-  if (Clock::now() > measured.deadline) {
+  Status status = found.best.adjusted.status;
+  if (Clock::now() > measured->deadline) {
     status = {Code::kTimedOut, "the time allowed ran out before it was certain which pose explains the measurements"};
   }
   Estimate estimate;
   if (status.ok()) {
-    estimate = report(measured, best);
-    estimate.warm_started = warm_started;
-    last_ = best.adjusted.unknowns;
-    left_out_ = leftOut(measured, best);
+    estimate = report(*measured, found.best);
+    estimate.warm_started = found.warm_started;
+    last_ = found.best.adjusted.unknowns;
+    left_out_ = leftOut(*measured, found.best);
     near_ = last_->pose;
   } else {
     estimate.solution = refusedRobot(options_.model, status);
     if (!last_) near_ = seed_;  // one step back at a time: another start may need less time
     last_.reset();
   }
-  estimate.solution.report.iterations = iterations;
+  estimate.solution.report.iterations = found.iterations;
   return estimate;
+}
+
+// From the last estimate if there is one; from its pose, then from the seed, if there is none or if it has misled.
+PoseEstimator::Found PoseEstimator::find(const MeasuredRobot& measured) const {
+  Found found;
+  if (last_) {
+    found.best = adjustFrom(measured, *last_, left_out_);
+    found.warm_started = true;
+    found.iterations = found.best.adjusted.iterations;
+  }
+  const bool moved = near_.position != seed_.position || near_.orientation.coeffs() != seed_.orientation.coeffs();
+  for (const Pose* seed : {&near_, &seed_}) {
+    if (isTrusted(measured, found.best) || (seed == &seed_ && !moved)) break;
+    Candidate cold = leaveOutFaults(measured, coldStart(measured, *seed, &found.iterations), measured.available);
+    found.iterations += cold.adjusted.iterations;
+    if (!isBetter(measured, cold, found.best)) continue;
+    found.best = std::move(cold);
+    found.warm_started = false;
+  }
+  return found;
 }
 
 void PoseEstimator::reset() { setPose(robot_.home); }
 
 void PoseEstimator::setPose(const Pose& seed) {
   last_.reset();
+  rungs_.clear();
   seed_ = near_ = seed;
 }
 

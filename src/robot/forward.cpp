@@ -52,24 +52,25 @@ class ForwardSolve {
     status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
                          &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
-    rungs_ = choose ? chooseRungs(robot_, start, options_.accuracy, {})
+    rungs_ = choose ? chooseRungs(robot_, start, options_.accuracy)
                     : std::vector<Model>(robot_.cables.size(), options_.model);
     status = refine(start);
-    if (status.code == Code::kNotConverged && (choose || isBending(options_.model))) {
-      const Model finest = choose ? Model::kBending : options_.model;
-      rungs_.assign(rungs_.size(), finest);
-      status =
-          searchBasin(robot_, request_.external_wrench, finest, options_.tolerance, deadline_, &start, &iterations_);
+    while (choose && status.ok()) {
+      const RobotSolution found = solution();
+      if (isWithin(robot_, found, options_.accuracy) || !refineRungs(&rungs_)) return found;
+      status = refine(reached());
+    }
+    if (choose && (status.code == Code::kNotConverged || status.code == Code::kWrongBranch)) {
+      rungs_.assign(rungs_.size(), Model::kBending);
+      status = refine(start);
+    }
+    if (status.code == Code::kNotConverged && isBending(rungs_.front())) {
+      status = searchBasin(robot_, request_.external_wrench, rungs_.front(), options_.tolerance, deadline_, &start,
+                           &iterations_);
       if (status.ok()) status = refine(start);
     }
     if (!status.ok()) return refusedRobot(options_.model, status);
-    RobotSolution found = solution();
-    while (choose && !isWithin(robot_, found, options_.accuracy) && refineRungs(&rungs_)) {
-      status = refine(reached());
-      if (!status.ok()) return refusedRobot(options_.model, status);
-      found = solution();
-    }
-    return found;
+    return solution();
   }
 
  private:

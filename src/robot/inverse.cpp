@@ -85,7 +85,7 @@ class InverseSolve {
     std::vector<Model> rungs(robot_.cables.size(), options_.model);
     if (status.ok() && startingRung(options_.model) != options_.model) {
       status = iterate(kRough);
-      if (choose && status.ok()) rungs = chooseRungs(robot_, reached(), options_.accuracy, {});
+      if (choose && status.ok()) rungs = chooseRungs(robot_, reached(), options_.accuracy);
       useRungs(rungs);
     }
     if (status.ok()) status = iterate(options_.tolerance);

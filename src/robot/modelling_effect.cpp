@@ -89,18 +89,12 @@ double sizeOf(const Wrench& displacement) {
   return std::max(displacement.head<3>().norm(), displacement.tail<3>().norm());
 }
 
-// For each cable and rung the displacement that the rung's error makes.
-struct CableEffects {
-  std::array<Wrench, kAutoRungCount> displacement;
-  std::array<bool, kAutoRungCount> known;
-};
-
 std::size_t rungIndex(Model model) {
   return static_cast<std::size_t>(std::find(kAutoRungs.begin(), kAutoRungs.end(), model) - kAutoRungs.begin());
 }
 
 // The coarsest rungs whose joint error is within budget [m].
-std::vector<std::size_t> coarsest(const std::vector<CableEffects>& cables, double budget) {
+std::vector<std::size_t> coarsest(const std::vector<RungEffects>& cables, double budget) {
   std::vector<std::size_t> rungs(cables.size(), 0);
   for (std::size_t i = 0; i < cables.size(); ++i) {
     while (!cables[i].known[rungs[i]]) ++rungs[i];
@@ -187,8 +181,7 @@ std::string describeChoice(const RobotSolution& solution) {
   return text.str();
 }
 
-std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces& state, double accuracy,
-                               const std::vector<Model>& kept) {
+std::vector<RungEffects> rungEffects(const RobotDescription& robot, const RobotForces& state) {
   const std::size_t count = robot.cables.size();
   LinearRobot linear(robot, state.pose);
   std::vector<RungErrors> errors(count);
@@ -202,9 +195,8 @@ std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces&
     linear.add(lines[i], errors[i].front().stiffness, h,
                forceOnPlatform(lines[i], h, v, properties.weight * state.lengths[i]));
   }
-  if (!linear.factorise()) return std::vector<Model>(count, Model::kBending);
-
-  std::vector<CableEffects> effects(count);
+  if (!linear.factorise()) return {};
+  std::vector<RungEffects> effects(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Matrix<double, 6, 2> wrench = wrenchByForces(lines[i]);
     for (std::size_t r = 0; r < errors[i].size(); ++r) {
@@ -212,16 +204,27 @@ std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces&
       effects[i].known[r] = errors[i][r].known;
     }
   }
-  const std::vector<std::size_t> needed = coarsest(effects, kAutoShare * accuracy);
+  return effects;
+}
+
+std::vector<Model> chooseRungs(const std::vector<RungEffects>& cables, double accuracy,
+                               const std::vector<Model>& kept) {
+  const std::vector<std::size_t> needed = coarsest(cables, kAutoShare * accuracy);
   std::vector<std::size_t> ample = needed;
-  if (!kept.empty()) ample = coarsest(effects, kKeptShare * kAutoShare * accuracy);
-  std::vector<Model> rungs(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  if (!kept.empty()) ample = coarsest(cables, kKeptShare * kAutoShare * accuracy);
+  std::vector<Model> rungs(cables.size());
+  for (std::size_t i = 0; i < cables.size(); ++i) {
     std::size_t rung = needed[i];
     if (!kept.empty()) rung = std::max(rung, std::min(rungIndex(kept[i]), ample[i]));
     rungs[i] = kAutoRungs[rung];
   }
   return rungs;
+}
+
+std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces& state, double accuracy) {
+  const std::vector<RungEffects> effects = rungEffects(robot, state);
+  if (effects.empty()) return std::vector<Model>(robot.cables.size(), Model::kBending);
+  return chooseRungs(effects, accuracy, {});
 }
 
 }  // namespace cdpr_kinetostatics

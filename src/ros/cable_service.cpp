@@ -79,6 +79,7 @@ SolveCable::Response solve(const NodeParameters& parameters, const SolveCable::R
   const RobotSolverOptions checked = checkedOptions(request.options, request.profile_points, parameters);
   CableSolverOptions options;
   options.model = checked.model;
+  options.accuracy = checked.accuracy;
   options.tolerance = checked.tolerance;
   options.profile_points = checked.profile_points;
   options.deadline = start + std::chrono::duration_cast<Clock::duration>(checked.timeout);
@@ -91,6 +92,7 @@ SolveCable::Response solve(const NodeParameters& parameters, const SolveCable::R
   response.report.model = static_cast<std::uint8_t>(solution.model);
   response.report.iterations = solution.iterations;
   response.report.solve_time = std::chrono::duration<double>(Clock::now() - start).count();
+  response.report.estimated_error = solution.estimated_error;
   response.report.closure_residual = solution.closure_residual;
   response.report.moment_residual = solution.moment_residual;
   response.cable = toMsg(solution, cable.name, cable.properties.weight, conditionOf(solution, cable.tension_min));

@@ -23,6 +23,7 @@ CableState inOwnPlane(const CableSolution& solution) {
   state.sag = solution.sag;
   state.max_moment = solution.max_moment;
   state.max_shear = solution.max_shear;
+  state.estimated_error = solution.estimated_error;
   return state;
 }
 
@@ -124,6 +125,8 @@ SolveReport toMsg(const RobotReport& report) {
   converted.closure_residual = report.closure_residual;
   converted.force_residual = report.force_residual;
   converted.moment_residual = report.moment_residual;
+  converted.estimated_error = report.estimated_error;
+  converted.estimated_rotation_error = report.estimated_rotation_error;
   return converted;
 }
 

@@ -15,6 +15,7 @@ namespace {
 void readEstimator(ParameterReader& reader, NodeParameters* parameters) {
   EstimatorOptions& options = parameters->estimator;
   options.model = parameters->model;
+  options.accuracy = parameters->accuracy;
   options.tolerance = parameters->tolerance;
   options.timeout = std::chrono::duration<double>(parameters->timeout);
   options.length_stddev = reader.number("length_stddev", options.length_stddev, 1e-9, 1e3, " m");
@@ -56,9 +57,9 @@ Model readModel(ParameterReader& reader, Model fallback) {
   }
   if (!model || *model == Model::kDefault) {
     reader.refuse("model",
-                  "one of straight, straight_elastic, catenary_inextensible, catenary, bending_inextensible, bending");
+                  "one of auto, straight, straight_elastic, catenary_inextensible, catenary, catenary_corrected, "
+                  "bending_inextensible, bending");
   }
-  if (const auto problem = unavailable(*model)) throw std::invalid_argument("parameter ~model: " + *problem);
   return *model;
 }
 
@@ -68,6 +69,7 @@ LoadedParameters loadParameters(const XmlRpc::XmlRpcValue& private_parameters) {
   ParameterReader reader(private_parameters);
   parameters.robot = readRobot(reader, &loaded.warnings);
   parameters.model = readModel(reader, parameters.model);
+  parameters.accuracy = reader.number("accuracy", parameters.accuracy, kMinAccuracy, kMaxLength, " m");
   parameters.tolerance = reader.number("tolerance", parameters.tolerance, kMinTolerance, kMaxTolerance, "");
   parameters.timeout = reader.number("timeout", parameters.timeout, kMinTimeout, kMaxTimeout, " s");
 

@@ -57,9 +57,7 @@ Model checkedModel(std::uint8_t asked, Model node_default) {
     throw RequestError(
         text("options.model is ", int{asked}, ": expected one of the constants of SolverOptions, 0 to 8"));
   }
-  const Model model = asked == SolverOptions::MODEL_DEFAULT ? node_default : static_cast<Model>(asked);
-  if (const auto problem = unavailable(model)) throw RequestError("options.model: " + *problem);
-  return model;
+  return asked == SolverOptions::MODEL_DEFAULT ? node_default : static_cast<Model>(asked);
 }
 
 void checkProfilePoints(int points) {
@@ -68,13 +66,6 @@ void checkProfilePoints(int points) {
 }
 
 }  // namespace
-
-std::optional<std::string> unavailable(Model model) {
-  if (model != Model::kAuto && model != Model::kCatenaryCorrected) return std::nullopt;
-  return text("the model ", modelName(model),
-              " is not available in this version; available are straight, straight_elastic, catenary_inextensible, "
-              "catenary, bending_inextensible and bending");
-}
 
 void checkWithin(const std::string& where, double value, double limit, const char* unit) {
   if (std::abs(value) <= limit) return;
@@ -157,6 +148,7 @@ RobotSolverOptions checkedOptions(const SolverOptions& options, int profile_poin
   RobotSolverOptions checked;
   checked.model = checkedModel(options.model, parameters.model);
   checkNotNegative("options.accuracy", options.accuracy, kMaxLength, "m");
+  checked.accuracy = options.accuracy > 0.0 ? options.accuracy : parameters.accuracy;
   checked.tolerance = parameters.tolerance;
   if (options.tolerance != 0.0) {
     if (!(options.tolerance >= kMinTolerance && options.tolerance <= kMaxTolerance)) {

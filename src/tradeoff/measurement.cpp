@@ -104,7 +104,6 @@ RobotTrade measureTrade(const RobotDescription& robot, const Effort& effort) {
   }
   for (const Setting& setting : settings) {
     for (const Problem problem : kProblems) {
-      if (setting.model == Model::kAuto && problem == Problem::kEstimate) continue;  // which has no AUTO
       Row row;
       row.setting = setting;
       row.problem = problem;

@@ -116,6 +116,7 @@ class EstimateTrial : public Trial {
   static EstimatorOptions options(const RobotDescription& robot, const Setting& setting) {
     EstimatorOptions options;
     options.model = setting.model;
+    if (setting.accuracy) options.accuracy = *setting.accuracy;
     options.tolerance = setting.tolerance;
     options.timeout = std::chrono::duration<double>(kTimeout);
     options.load_stddev = EstimatorOptions::defaultLoadStddev(robot);

@@ -46,10 +46,6 @@ template <typename Service>
 std::vector<Case<Service>> wrongOptions() {
   using Request = typename Service::Request;
   return {
-      {"auto", [](Request& r) { r.options.model = SolverOptions::AUTO; }, {"options.model", "auto", "catenary"}},
-      {"corrected",
-       [](Request& r) { r.options.model = SolverOptions::CATENARY_CORRECTED; },
-       {"options.model", "catenary_corrected"}},
       {"no such model", [](Request& r) { r.options.model = 200; }, {"options.model", "200"}},
       {"negative accuracy", [](Request& r) { r.options.accuracy = -1e-3; }, {"options.accuracy", "-0.001"}},
       {"accuracy NaN", [](Request& r) { r.options.accuracy = kNan; }, {"options.accuracy", "nan"}},

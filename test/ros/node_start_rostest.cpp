@@ -81,8 +81,8 @@ TEST(NodeStart, RefusesWrongNumbersAndModels) {
   expectRefusal("tolerance_is_a_word", parameters, {"~tolerance", "'fine'"});
 
   parameters = withRobot();
-  parameters["model"] = "auto";
-  expectRefusal("model_auto", parameters, {"~model", "auto", "bending"});
+  parameters["model"] = "rigid";
+  expectRefusal("model_unknown", parameters, {"~model", "rigid", "auto", "bending"});
 }
 
 }  // namespace

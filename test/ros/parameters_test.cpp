@@ -33,7 +33,8 @@ std::string refusal(const XmlRpcValue& parameters) {
 
 TEST(Parameters, DefaultsAreThoseOfTheManual) {
   const LoadedParameters loaded = loadParameters(goodParameters());
-  EXPECT_EQ(loaded.parameters.model, Model::kBending);
+  EXPECT_EQ(loaded.parameters.model, Model::kAuto);
+  EXPECT_EQ(loaded.parameters.accuracy, 1e-4);
   EXPECT_EQ(loaded.parameters.tolerance, 1e-8);
   EXPECT_EQ(loaded.parameters.timeout, 0.1);
   EXPECT_TRUE(loaded.warnings.empty());
@@ -42,12 +43,15 @@ TEST(Parameters, DefaultsAreThoseOfTheManual) {
   manual["robot"] = robotParameter("cogiro");
   const LoadedParameters from_manual = loadParameters(manual);
   EXPECT_EQ(from_manual.parameters.model, loaded.parameters.model);
+  EXPECT_EQ(from_manual.parameters.accuracy, loaded.parameters.accuracy);
   EXPECT_EQ(from_manual.parameters.tolerance, loaded.parameters.tolerance);
   EXPECT_EQ(from_manual.parameters.timeout, loaded.parameters.timeout);
   EXPECT_TRUE(from_manual.warnings.empty());
 
   const NodeParameters& a = loaded.parameters;
   const NodeParameters& b = from_manual.parameters;
+  EXPECT_EQ(a.estimator.model, Model::kAuto);
+  EXPECT_EQ(a.estimator.accuracy, 1e-4);
   EXPECT_EQ(a.estimator.length_stddev, 1e-3);
   EXPECT_EQ(a.estimator.tension_stddev, 5.0);
   EXPECT_TRUE(a.estimator.known_load);
@@ -129,9 +133,9 @@ TEST(Parameters, WrongOnesAreRefusedByNameAndValue) {
       {"publish_tf", 1, "1"},
       {"model", "rigid", "'rigid'"},
       {"model", 8, "8"},
-      {"model", "auto", "auto is not available"},
       {"model", "default", "'default'"},
-      {"model", "catenary_corrected", "catenary_corrected is not available"},
+      {"accuracy", 0, "0"},
+      {"accuracy", -1e-3, "-0.001"},
   };
   for (const Case& wrong : cases) {
     XmlRpcValue parameters = goodParameters();

@@ -34,7 +34,7 @@ constexpr double kAutoShare = 0.5;
 // Of a solved cable; EA and EI are those of the description, whatever the solution's rung saw of them.
 ModelError modelError(const CableProperties& cable, const CableSolution& solution);
 
-// Of every rung that AUTO chooses from, at the forces H > 0 and V of a catenary.
+// Of every rung that AUTO chooses from, at the forces of a catenary. Only BENDING is known unless H > 0.
 using RungErrors = std::array<ModelError, kAutoRungCount>;
 RungErrors rungErrors(const CableProperties& cable, double length, double horizontal_force, double vertical_force_a);
 

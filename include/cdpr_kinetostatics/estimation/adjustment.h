@@ -36,9 +36,13 @@ struct Adjusted {
   Eigen::Array<bool, 6, 1> load_unknown = Eigen::Array<bool, 6, 1>::Constant(false);
   // The platform would return to this pose if it were moved, the lengths held: a real one does.
   bool stable = false;
+  // Of the residuals, selected measurements and load, by (translation, rotation vector, H/x of each cable).
+  Eigen::MatrixXd jacobian;
 };
 
+// rungs: of each cable.
 Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
-                const Selection& selection, const RobotForces& start, std::chrono::steady_clock::time_point deadline);
+                const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start,
+                std::chrono::steady_clock::time_point deadline);
 
 }  // namespace cdpr_kinetostatics

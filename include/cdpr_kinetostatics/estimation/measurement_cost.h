@@ -37,7 +37,7 @@ class MeasurementCost : public ceres::DynamicCostFunction {
  public:
   // All arguments must outlive the block; start gives the shapes to begin with.
   MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
-                  const Selection& selection, const RobotForces& start);
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start);
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 

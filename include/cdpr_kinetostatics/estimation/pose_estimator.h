@@ -24,6 +24,7 @@ namespace cdpr_kinetostatics {
 
 struct EstimatorOptions {
   Model model = Model::kBending;
+  double accuracy = 1e-4;   // AUTO: what the cables' rungs may neglect, at the estimated pose [m]
   double tolerance = 1e-8;  // relative, of the cables' integration
   std::chrono::duration<double> timeout{0.1};
   double length_stddev = 1e-3;  // [m]
@@ -102,14 +103,17 @@ class PoseEstimator {
   void setPose(const Pose& seed);
 
  private:
-  Estimate solve(const MeasuredRobot& measured);
+  struct Found;
+  Estimate solve(MeasuredRobot* measured);
+  Found find(const MeasuredRobot& measured) const;
 
   const RobotDescription& robot_;
   const EstimatorOptions options_;
   Pose seed_;
   Pose near_;  // last pose, or the seed
   std::optional<RobotForces> last_;
-  Selection left_out_;  // by the last estimate
+  Selection left_out_;        // by the last estimate
+  std::vector<Model> rungs_;  // AUTO: those in use; empty at first
 };
 
 }  // namespace cdpr_kinetostatics

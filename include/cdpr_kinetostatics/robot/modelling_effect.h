@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,23 @@ bool refineRungs(std::vector<Model>* rungs);
 // "catenary for 6 cables, bending for 2: ...": what AUTO used and what that neglects.
 std::string describeChoice(const RobotSolution& solution);
 
-// AUTO: for each cable the coarsest rung with which the platform's error stays within accuracy. state holds the
-// catenaries' forces at a pose near the solution. kept, if not empty, are the rungs in use: none is given up for a
-// coarser one that would only just do, so that a stream of poses does not flicker.
-std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces& state, double accuracy,
-                               const std::vector<Model>& kept);
+// Where the error of each rung that AUTO chooses from takes the platform, for one cable: translation [m], and rotation
+// times the platform's radius [m].
+struct RungEffects {
+  std::array<Wrench, kAutoRungCount> displacement;
+  std::array<bool, kAutoRungCount> known;
+};
+
+// Of every cable. state holds the catenaries' forces at a pose near the solution. Empty where the robot has no
+// stiffness.
+std::vector<RungEffects> rungEffects(const RobotDescription& robot, const RobotForces& state);
+
+// AUTO: for each cable the coarsest rung with which the platform's error stays within accuracy [m]. kept, if not empty,
+// are the rungs in use: none is given up for a coarser one that would only just do, so that a stream of poses does not
+// flicker.
+std::vector<Model> chooseRungs(const std::vector<RungEffects>& cables, double accuracy, const std::vector<Model>& kept);
+
+// The same for a robot at a pose near the solution.
+std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces& state, double accuracy);
 
 }  // namespace cdpr_kinetostatics

@@ -18,7 +18,8 @@ class ParameterReader;
 
 struct NodeParameters {
   RobotDescription robot;         // ~robot, no default
-  Model model = Model::kBending;  // ~model
+  Model model = Model::kAuto;     // ~model
+  double accuracy = 1e-4;         // ~accuracy [m]
   double tolerance = 1e-8;        // ~tolerance, relative [-]
   double timeout = 0.1;           // ~timeout, of one solve [s]
 

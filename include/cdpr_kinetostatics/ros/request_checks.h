@@ -34,14 +34,12 @@ class RequestError : public std::runtime_error {
 constexpr double kMaxLength = 1e6;   // lengths and coordinates [m]
 constexpr double kMaxForce = 1e12;   // forces [N], torques [N m], stiffnesses [N, N m^2]
 constexpr double kMaxDensity = 1e6;  // [kg/m]
+constexpr double kMinAccuracy = 1e-15;  // [m]
 constexpr double kMinTolerance = 1e-13;
 constexpr double kMaxTolerance = 0.1;
 constexpr double kMinTimeout = 1e-4;    // [s]
 constexpr double kMaxTimeout = 3600.0;  // [s]
 constexpr int kMaxProfilePoints = 10000;
-
-// A sentence if the model cannot be asked for, naming those that can.
-std::optional<std::string> unavailable(Model model);
 
 // |value| <= limit, finite; `where` names the field, as in "external_wrench.force.x".
 void checkWithin(const std::string& where, double value, double limit, const char* unit);

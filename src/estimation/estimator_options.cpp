@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "cdpr_kinetostatics/estimation/pose_estimator.h"
 
 namespace cdpr_kinetostatics {
@@ -15,7 +16,9 @@ Wrench EstimatorOptions::defaultLoadStddev(const RobotDescription& robot) {
 
 bool EstimatorOptions::isValid(std::string* error) const {
   std::ostringstream text;
-  if (!(accuracy > 0.0 && std::isfinite(accuracy))) {
+  if (const Status model_status = checkModel(model); !model_status.ok()) {
+    text << model_status.message;
+  } else if (!(accuracy > 0.0 && std::isfinite(accuracy))) {
     text << "accuracy = " << accuracy << " m must be positive";
   } else if (!(length_stddev > 0.0 && std::isfinite(length_stddev))) {
     text << "length_stddev = " << length_stddev << " m must be positive";

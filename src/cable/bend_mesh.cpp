@@ -16,6 +16,9 @@ constexpr double kLargestSigma = 0.02;
 constexpr int kHalvings = 12;
 constexpr double kRoom = 0.2;  // of the error
 
+// The layers of an end before a leg, at least.
+constexpr double kFewestLayersAtEnd = 8.0;
+
 struct Leg {
   double begin = 0.0;
   double end = 0.0;
@@ -49,7 +52,7 @@ bool MultipleShooting::placeAroundBend() {
   const double span = length_ / reference_length_;
   const double error = kMiddleShare * shot_tolerance_.alpha;
   const auto endLayer = [&](double end, double inwards) {
-    const double layers = layersNeeded(p, end, span, error);
+    const double layers = std::max(kFewestLayersAtEnd, layersNeeded(p, end, span, error));
     return end + inwards * layers / layerRate(p, end + 0.5 * inwards * layers / layerRate(p, end));
   };
   const double a = endLayer(0.0, 1.0);

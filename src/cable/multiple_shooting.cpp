@@ -12,6 +12,9 @@
 namespace cdpr_kinetostatics {
 namespace {
 
+// Steps may be kept while they make up to so many times the error that was asked of them.
+constexpr double kLargestStepError = 4.0;
+
 Eigen::Vector2d feedback(const ShotState& state) { return {state.alpha, state.moment}; }
 
 }  // namespace
@@ -39,10 +42,13 @@ bool MultipleShooting::linearise(bool adapt) {
   return eliminate();
 }
 
+bool MultipleShooting::stepsFit() { return step_error_ <= kLargestStepError && meshFits(); }
+
 bool MultipleShooting::integrate(bool adapt) {
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
   const double grid_scale = length_ / grid_length_;
+  step_error_ = 0.0;
   for (Segment& segment : segments_) {
     if (segment.quiet) continue;
     const double t0 = segment.begin * span;
@@ -52,6 +58,8 @@ bool MultipleShooting::integrate(bool adapt) {
                             : shootOnGrid(p, t0, start, segment.grid, grid_scale, &segment.shot);
     work_ += segment.shot.work;
     if (!shot) return false;
+    step_error_ = std::max({step_error_, segment.shot.alpha_error / shot_tolerance_.alpha,
+                            segment.shot.moment_error / shot_tolerance_.moment});
     segment.begin_derivative = shotDerivative(p, t0, start);
     segment.end_derivative = shotDerivative(p, t1, segment.shot.end);
   }
@@ -165,7 +173,10 @@ MultipleShooting::Condition MultipleShooting::joinMiddle(const Condition& at_beg
   const auto absent = [this](const SlowState& slow, double rho, double share, const Eigen::Vector2d& z) {
     Condition condition;
     condition.row << rho, 1.0;
-    condition.right << -rho * (z.x() - slow.alpha) - (z.y() - slow.moment), condition.row * slow.derivative;
+    const double departure = z.x() - slow.alpha;
+    const double along = rho > 0.0 ? 1.0 : -1.0;
+    condition.right << -rho * departure - (z.y() - slow.moment),
+        condition.row * slow.derivative - along * departure * slow.rateDerivative();
     condition.right.w() *= share;
     moment_defect_ = std::max(moment_defect_, std::abs(condition.right.x()));
     const double scale = 1.0 / condition.row.norm();
@@ -199,10 +210,16 @@ MultipleShooting::Affine MultipleShooting::displacement(const Segment& segment, 
           Eigen::RowVector3d(slow.derivative(0, 0), slow.derivative(0, 1), share * slow.derivative(0, 2));
       return angle;
     };
-    result = segment.slow_begin.ahead * departure(segment.slow_begin, segment.change, segment.begin) +
-             segment.slow_end.behind * departure(segment.slow_end, next_change, segment.end);
-    result.middleCols<2>(1) += segment.slow_stretch.derivative.leftCols<2>();
-    result.col(3) += segment.slow_stretch.derivative.rightCols<2>() * Eigen::Vector2d(segment.begin, segment.end);
+    const SlowState& begin = segment.slow_begin;
+    const SlowState& end = segment.slow_end;
+    const Eigen::Matrix<double, 2, 3> ahead = (segment.node.x() - begin.alpha) * begin.shiftDerivative(begin.ahead);
+    const Eigen::Matrix<double, 2, 3> behind = (segment.shot.end.alpha - end.alpha) * end.shiftDerivative(end.behind);
+    result = begin.ahead * departure(begin, segment.change, segment.begin) +
+             end.behind * departure(end, next_change, segment.end);
+    result.middleCols<2>(1) +=
+        segment.slow_stretch.derivative.leftCols<2>() + ahead.leftCols<2>() + behind.leftCols<2>();
+    result.col(3) += (segment.slow_stretch.derivative.col(2) + ahead.col(2)) * segment.begin +
+                     (segment.slow_stretch.derivative.col(3) + behind.col(2)) * segment.end;
   } else {
     result = segment.shot.sensitivity.bottomLeftCorner<2, 2>() * segment.change;
     result.middleCols<2>(1) += segment.shot.sensitivity.bottomRightCorner<2, 2>();
@@ -212,25 +229,32 @@ MultipleShooting::Affine MultipleShooting::displacement(const Segment& segment, 
   return result;
 }
 
-Eigen::Vector2d MultipleShooting::nodeChange(const Affine& change, const Eigen::Vector3d& outer, double damping) const {
-  const Eigen::Vector4d factors(1.0, outer.x() / reference_force_, outer.y() / reference_force_,
-                                outer.z() / reference_length_);
-  return damping * (change * factors);
+Eigen::Vector4d MultipleShooting::factors(const Eigen::Vector3d& change) const {
+  return {1.0, change.x() / reference_force_, change.y() / reference_force_, change.z() / reference_length_};
 }
 
 double MultipleShooting::angleChange(const Eigen::Vector3d& change) const {
-  double largest = std::abs(nodeChange(last_change_, change, 1.0).x());
-  for (const Segment& segment : segments_) {
-    largest = std::max(largest, std::abs(nodeChange(segment.change, change, 1.0).x()));
-  }
+  const Eigen::Vector4d by = factors(change);
+  double largest = std::abs(last_change_.row(0).dot(by));
+  for (const Segment& segment : segments_) largest = std::max(largest, std::abs(segment.change.row(0).dot(by)));
   return largest;
 }
 
 void MultipleShooting::step(const Eigen::Vector3d& change, double damping) {
-  for (Segment& segment : segments_) segment.node += nodeChange(segment.change, change, damping);
-  last_node_ += nodeChange(last_change_, change, damping);
-  force_ += damping * change.head<2>();
-  length_ += damping * change.z();
+  move(damping * factors(change), damping * change);
+}
+
+void MultipleShooting::follow(const Eigen::Vector3d& change) {
+  Eigen::Vector4d by = factors(change);
+  by[0] = 0.0;
+  move(by, change);
+}
+
+void MultipleShooting::move(const Eigen::Vector4d& factors, const Eigen::Vector3d& change) {
+  for (Segment& segment : segments_) segment.node += segment.change * factors;
+  last_node_ += last_change_ * factors;
+  force_ += change.head<2>();
+  length_ += change.z();
   // What is left of the end's modes in the middle is a small difference: both sides of it must have moved.
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     if (segments_[k].quiet) evaluateModes(k);

@@ -79,6 +79,15 @@ void SaggingCable::step(const Eigen::Vector3d& change, double damping) {
   if (bends()) shooting_.step(change, damping);
 }
 
+void SaggingCable::follow(const Eigen::Vector3d& change) {
+  forces_.horizontal += change.x();
+  forces_.vertical += change.y();
+  length_ += change.z();
+  if (bends()) shooting_.follow(change);
+}
+
+bool SaggingCable::stepsFit() { return !bends() || shooting_.stepsFit(); }
+
 bool SaggingCable::onBranch() const { return bends() ? onSaggingBranch(shooting_) : forces_.horizontal >= 0.0; }
 
 double SaggingCable::tensionA() const { return std::hypot(forces_.horizontal, forces_.vertical); }

@@ -13,6 +13,8 @@ namespace {
 // this share.
 constexpr double kRisePerPiece = 0.2;
 constexpr double kFewestPieces = 4.0;
+// Below this turn a cubic is enough for the area between the middle and its chord.
+constexpr double kRiseOfOneArc = 0.05;
 
 struct Sample {
   double value = 0.0;
@@ -121,6 +123,8 @@ void MultipleShooting::forEachPiece(const Segment& middle, ShotState from, const
 }
 
 double MultipleShooting::areaBelowChord() const {
+  const ShotParameters p = parameters();
+  const double span = length_ / reference_length_;
   double area = 0.0;
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   const auto addArc = [&](const Eigen::Vector2d& along, double angle_from, double angle_to) {
@@ -132,7 +136,9 @@ double MultipleShooting::areaBelowChord() const {
   };
   for (const Segment& segment : segments_) {
     const ShotState begin{segment.node.x(), segment.node.y(), 0.0, 0.0};
-    if (segment.quiet) {
+    if (segment.quiet && riseOfForce(p, segment.begin * span, segment.end * span) <= kRiseOfOneArc) {
+      addArc({segment.shot.end.x, segment.shot.end.w}, segment.slow_begin.alpha, segment.slow_end.alpha);
+    } else if (segment.quiet) {
       forEachPiece(segment, begin, [&](double, const ShotState& a, double, const ShotState& b) {
         addArc({b.x - a.x, b.w - a.w}, a.alpha, b.alpha);
       });

@@ -46,13 +46,13 @@ void derivative(const ShotParameters& p, double t, const Rows& y, Rows* dy) {
   d[kMoment] = e * shear;
   d[kX] = e * c;
   d[kW] = e * s;
+  const double direct_t[4] = {0.0, 0.0, c, -s};
+  const double direct_s[4] = {0.0, 0.0, s, c};
   for (int j = 0; j < 4; ++j) {
     const double da = y[kDAlpha + j];
-    const double direct_t = j == 2 ? c : j == 3 ? -s : 0.0;
-    const double direct_s = j == 2 ? s : j == 3 ? c : 0.0;
-    const double de = p.eps * (direct_t - shear * da);
+    const double de = p.eps * (direct_t[j] - shear * da);
     d[kDAlpha + j] = e * y[kDMoment + j] + m * de;
-    d[kDMoment + j] = e * (tension * da + direct_s) + shear * de;
+    d[kDMoment + j] = e * (tension * da + direct_s[j]) + shear * de;
     d[kDX + j] = c * de - e * s * da;
     d[kDW + j] = s * de + e * c * da;
   }
@@ -79,24 +79,65 @@ void finish(const Rows& y, Shot* shot) {
   }
 }
 
-// One step from (t, y) with k[0] known; leaves the new derivative in k[6] (first same as last).
-void step(const ShotParameters& p, double t, double h, const Rows& y, std::array<Rows, kStages>* stages, Rows* next) {
-  std::array<Rows, kStages>& k = *stages;
-  Rows stage;
-  for (int i = 1; i < kStages; ++i) {
-    const int rows = i == kStages - 1 ? kRows : kFeedback;
-    for (int r = 0; r < rows; ++r) {
-      double sum = 0.0;
-      for (int j = 0; j < i; ++j) sum += kA[i][j] * k[j][r];
-      stage[r] = y[r] + h * sum;
-    }
-    derivative(p, t + kC[i] * h, stage, &k[i]);
+using Stages = std::array<Rows, kStages>;
+
+// y + h sum of the first stages, of so many rows. Unrolled: the compiler makes vectors of it.
+template <int kStage, int kCount>
+void advance(double h, const Rows& y, const Stages& k, Rows* result) {
+  for (int r = 0; r < kCount; ++r) {
+    double sum = kA[kStage][0] * k[0][r];
+    if constexpr (kStage > 1 && kStage < 6) sum += kA[kStage][1] * k[1][r];
+    if constexpr (kStage > 2) sum += kA[kStage][2] * k[2][r];
+    if constexpr (kStage > 3) sum += kA[kStage][3] * k[3][r];
+    if constexpr (kStage > 4) sum += kA[kStage][4] * k[4][r];
+    if constexpr (kStage > 5) sum += kA[kStage][5] * k[5][r];
+    (*result)[r] = y[r] + h * sum;
   }
-  *next = stage;
+}
+
+// One step from (t, y) with k[0] known; leaves the new derivative in k[6] (first same as last).
+void step(const ShotParameters& p, double t, double h, const Rows& y, Stages* stages, Rows* next) {
+  Stages& k = *stages;
+  Rows stage;
+  advance<1, kFeedback>(h, y, k, &stage);
+  derivative(p, t + kC[1] * h, stage, &k[1]);
+  advance<2, kFeedback>(h, y, k, &stage);
+  derivative(p, t + kC[2] * h, stage, &k[2]);
+  advance<3, kFeedback>(h, y, k, &stage);
+  derivative(p, t + kC[3] * h, stage, &k[3]);
+  advance<4, kFeedback>(h, y, k, &stage);
+  derivative(p, t + kC[4] * h, stage, &k[4]);
+  advance<5, kFeedback>(h, y, k, &stage);
+  derivative(p, t + kC[5] * h, stage, &k[5]);
+  advance<6, kRows>(h, y, k, next);
+  derivative(p, t + h, *next, &k[6]);
+}
+
+// Errors of alpha and of the moment that the pair of orders 5 and 4 tells.
+std::array<double, 2> errorOf(double h, const Stages& k) {
+  std::array<double, 2> error{};
+  for (int j = 0; j < kStages; ++j) {
+    error[0] += kError[j] * k[j][kAlpha];
+    error[1] += kError[j] * k[j][kMoment];
+  }
+  return {std::abs(h * error[0]), std::abs(h * error[1])};
 }
 
 constexpr IntegrationWork kFirstDerivative = {0, 1};
 constexpr IntegrationWork kOneStep = {1, kStages - 1};
+
+void begin(Shot* shot) {
+  shot->turning.clear();
+  shot->alpha_error = shot->moment_error = 0.0;
+  shot->work = kFirstDerivative;
+}
+
+// An accepted step.
+void record(const Rows& y, const std::array<double, 2>& error, Shot* shot) {
+  shot->turning.emplace_back(y[kDAlpha], y[kDAlpha + 1]);
+  shot->alpha_error = std::max(shot->alpha_error, error[0]);
+  shot->moment_error = std::max(shot->moment_error, error[1]);
+}
 
 bool physical(const Rows& y) { return std::abs(y[kAlpha]) < 100.0 && std::abs(y[kMoment]) < 1e6; }
 
@@ -114,12 +155,11 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
                    const ShotTolerance& tolerance, StepGrid* grid, Shot* shot) {
   Rows y = initialRows(start);
   Rows next;
-  std::array<Rows, kStages> k;
+  Stages k;
   derivative(p, t0, y, &k[0]);
   double h = grid->empty() ? 0.5 : grid->front();
   grid->clear();
-  shot->turning.clear();
-  shot->work = kFirstDerivative;
+  begin(shot);
   double t = t0;
   for (int i = 0; i < kMaxSteps; ++i) {
     const double left = t1 - t;
@@ -129,14 +169,8 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
     const double dt = last ? left : std::min(h, h > 0.5 * left ? 0.5 * left : h);
     step(p, t, dt, y, &k, &next);
     shot->work += kOneStep;
-    double error_alpha = 0.0;
-    double error_moment = 0.0;
-    for (int j = 0; j < kStages; ++j) {
-      error_alpha += kError[j] * k[j][kAlpha];
-      error_moment += kError[j] * k[j][kMoment];
-    }
-    const double error =
-        dt * std::max(std::abs(error_alpha) / tolerance.alpha, std::abs(error_moment) / tolerance.moment);
+    const std::array<double, 2> errors = errorOf(dt, k);
+    const double error = std::max(errors[0] / tolerance.alpha, errors[1] / tolerance.moment);
     if (!std::isfinite(error) || !physical(next)) {
       h = 0.2 * dt;
       if (h < 1e-10) return false;
@@ -148,7 +182,7 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
       t += dt;
       k[0] = k[kStages - 1];
       grid->push_back(dt);
-      shot->turning.emplace_back(y[kDAlpha], y[kDAlpha + 1]);
+      record(y, errors, shot);
       if (last) {
         finish(y, shot);
         return true;
@@ -162,11 +196,10 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
 bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, const StepGrid& grid, double scale,
                  Shot* shot) {
   Rows y = initialRows(start);
-  std::array<Rows, kStages> k;
+  Stages k;
   Rows next;
   derivative(p, t0, y, &k[0]);
-  shot->turning.clear();
-  shot->work = kFirstDerivative;
+  begin(shot);
   double t = t0;
   for (const double recorded : grid) {
     const double dt = scale * recorded;
@@ -176,7 +209,7 @@ bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, con
     y = next;
     t += dt;
     k[0] = k[kStages - 1];
-    shot->turning.emplace_back(y[kDAlpha], y[kDAlpha + 1]);
+    record(y, errorOf(dt, k), shot);
   }
   finish(y, shot);
   return true;

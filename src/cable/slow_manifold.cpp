@@ -198,6 +198,8 @@ SlowState slowState(const ShotParameters& p, double t, int order) {
   state.alpha = std::atan2(f.u, p.h) + beta.value;
   state.moment = moment.value;
   state.tension = f.tension;
+  state.tension_derivative << f.c, -f.s, p.q * f.s;
+  state.turn_derivative << -f.s / f.tension, -f.c / f.tension, p.q * f.c / f.tension;
   state.derivative << alpha_h, -alpha_u, p.q * alpha_u, alongH(moment, f), -moment_u, p.q * moment_u;
 
   // dm = rho da with rho^2 = T cos(beta) - rho'/e, in two terms. The modes shift the cable across the force by

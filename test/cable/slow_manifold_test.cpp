@@ -80,7 +80,6 @@ CableSolution measured(const MultipleShooting& shooting, int profile_points) {
 }
 
 TEST(QuietMiddle, AgreesWithShootingTheWholeCable) {
-  constexpr double kTolerance = 1e-10;
   RandomCables random;
   random.fewest_layers = 40.0;
   random.most_layers = 1000.0;
@@ -88,19 +87,20 @@ TEST(QuietMiddle, AgreesWithShootingTheWholeCable) {
   int quiet = 0;
   for (int i = 0; i < 300; ++i) {
     CableCase c = random.next();
+    const double tolerance = i % 4 < 2 ? 1e-10 : 1e-8;
     if (i % 3 == 0) c.cable.axial_stiffness = kInextensible;
     const std::optional<ForcesAtA> forces = catenaryForces(c.cable, c.length, c.x, c.w);
     if (!forces) continue;
     MultipleShooting closed_form;
-    closed_form.start(c.cable, c.length, forces->horizontal, forces->vertical, kTolerance);
+    closed_form.start(c.cable, c.length, forces->horizontal, forces->vertical, tolerance);
     if (!closed_form.hasQuietMiddle()) continue;
     SCOPED_TRACE(::testing::Message() << c);
     ++quiet;
     ASSERT_TRUE(relax(&closed_form));
     ASSERT_TRUE(closed_form.hasQuietMiddle());
-    const MultipleShooting whole = relaxed(c.cable, c.length, *forces, kTolerance, Middle::kShot);
+    const MultipleShooting whole = relaxed(c.cable, c.length, *forces, tolerance, Middle::kShot);
     ASSERT_FALSE(whole.hasQuietMiddle());
-    expectSameShape(measured(closed_form, 23), measured(whole, 23), kTolerance);
+    expectSameShape(measured(closed_form, 23), measured(whole, 23), tolerance);
     const Eigen::Matrix<double, 2, 3> difference = closed_form.end().jacobian - whole.end().jacobian;
     EXPECT_LT(difference.leftCols<2>().norm(), 1e-8 * whole.end().jacobian.leftCols<2>().norm());
     EXPECT_LT(difference.col(2).norm(), 1e-8);

@@ -66,6 +66,14 @@ class MultipleShooting {
   // Moves nodes and unknowns by damping times the Newton step that goes with change = (dH, dV, dL).
   void step(const Eigen::Vector3d& change, double damping);
 
+  // Moves nodes and unknowns by change along the equilibria: by the derivatives of the last linearise() alone,
+  // after whose step the nodes are taken to have converged.
+  void follow(const Eigen::Vector3d& change);
+
+  // False if the steps of the last adaptive pass make larger errors here than they should, or the segments no longer
+  // fit the forces: linearise(true) is due.
+  bool stepsFit();
+
   // True if no small displacement of the cable with both ends held lowers its energy: the second variation
   // under constant end forces has as many negative directions as the end point's compliance (docs/theory.md (22)).
   bool stable() const;
@@ -170,7 +178,9 @@ class MultipleShooting {
   ShotState middleState(const Segment& middle, double t_from, const ShotState& from, double t) const;
   Affine displacement(const Segment& segment, const Affine& next_change) const;
   Eigen::Vector2d node(std::size_t k) const { return k < segments_.size() ? segments_[k].node : last_node_; }
-  Eigen::Vector2d nodeChange(const Affine& change, const Eigen::Vector3d& outer, double damping) const;
+  // (1, dh, dv, dl)
+  Eigen::Vector4d factors(const Eigen::Vector3d& change) const;
+  void move(const Eigen::Vector4d& factors, const Eigen::Vector3d& change);
 
   CableProperties cable_;
   double tolerance_ = 1e-8;
@@ -187,6 +197,7 @@ class MultipleShooting {
   Eigen::Vector2d last_node_ = Eigen::Vector2d::Zero();  // (alpha, moment) at B
   Affine last_change_ = Affine::Zero();
   EndPoint end_;
+  double step_error_ = 0.0;   // largest of a step, in shares of what it should be
   double angle_defect_ = 0.0;
   double moment_defect_ = 0.0;
   Eigen::Vector2d variation_ = Eigen::Vector2d::Zero();  // of (alpha, moment), from a turn of the end A

@@ -37,6 +37,12 @@ class SaggingCable {
   // Moves (H, V, L) by damping * change, and the nodes with them.
   void step(const Eigen::Vector3d& change, double damping);
 
+  // Moves (H, V, L) by change, along the equilibria: the nodes' own Newton step has been taken before.
+  void follow(const Eigen::Vector3d& change);
+
+  // False where the integration steps chosen last no longer suit the cable: linearise(true) is due.
+  bool stepsFit();
+
   // True if the equilibrium is the sagging, stable one.
   bool onBranch() const;
 

@@ -46,19 +46,22 @@ struct IntegrationWork {
   }
 };
 
+// Errors of alpha and of the moment that one step may make.
+struct ShotTolerance {
+  double alpha = 1e-9;
+  double moment = 1e-9;
+};
+
 struct Shot {
   ShotState end;
   // d(alpha, moment, x, w)(t1)/d(alpha0, moment0, h, v)
   Eigen::Matrix4d sensitivity = Eigen::Matrix4d::Identity();
   // d(alpha)/d(alpha0, moment0) after each step: where its sign changes, buckling begins.
   std::vector<Eigen::Vector2d> turning;
+  // Largest error of a step taken.
+  double alpha_error = 0.0;
+  double moment_error = 0.0;
   IntegrationWork work;
-};
-
-// Errors of alpha and of the moment that one step may make.
-struct ShotTolerance {
-  double alpha = 1e-9;
-  double moment = 1e-9;
 };
 
 // The accepted steps of a shot, to be taken again: a residual evaluated on a frozen grid is a smooth

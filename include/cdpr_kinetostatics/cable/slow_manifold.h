@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "cdpr_kinetostatics/cable/shot.h"
 
@@ -22,6 +23,9 @@ struct SlowState {
   double alpha = 0.0;
   double moment = 0.0;
   double tension = 0.0;  // magnitude of the force
+  // Tension and direction of the force, differentiated with respect to (h, v, t).
+  Eigen::RowVector3d tension_derivative = Eigen::RowVector3d::Zero();
+  Eigen::RowVector3d turn_derivative = Eigen::RowVector3d::Zero();
   // (alpha, moment) differentiated with respect to (h, v, t).
   Eigen::Matrix<double, 2, 3> derivative = Eigen::Matrix<double, 2, 3>::Zero();
 
@@ -32,6 +36,12 @@ struct SlowState {
   // d(x, w)/d(da): what a mode adds to the displacement as it decays ahead of here, or grew behind here.
   Eigen::Vector2d ahead = Eigen::Vector2d::Zero();
   Eigen::Vector2d behind = Eigen::Vector2d::Zero();
+
+  // Of decay and growth, and of ahead and behind, with respect to (h, v, t), to leading order.
+  Eigen::RowVector3d rateDerivative() const { return 0.5 / std::sqrt(tension) * tension_derivative; }
+  Eigen::Matrix<double, 2, 3> shiftDerivative(const Eigen::Vector2d& shift) const {
+    return Eigen::Vector2d(-shift.y(), shift.x()) * turn_derivative - 0.5 / tension * shift * tension_derivative;
+  }
 };
 
 SlowState slowState(const ShotParameters& parameters, double t, int order);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/robot/forward.h"
+#include "cdpr_kinetostatics/robot/forward_follower.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 #include "robot_cases.h"
 #include "support/bare_integration.h"
@@ -83,29 +83,32 @@ struct Row {
   double warm = 0.0;                           // [s], medians
   double bare = 0.0;
   double yardstick = 0.0;
-  double bare_steps = 0.0;  // per pass, mean
-  double pose_error = 0.0;  // largest distance from the inverse's pose [m]
-  double bare_error = 0.0;  // largest distance of a bare pass' end from the cable's, relative to its length
+  double warm_starts = 0.0;     // share
+  double linearisations = 0.0;  // of a solve, mean
+  double bare_steps = 0.0;      // per pass, mean
+  double pose_error = 0.0;      // largest distance from the inverse's pose [m]
+  double bare_error = 0.0;      // largest distance of a bare pass' end from the cable's, relative to its length
 };
 
 Row measure(const std::string& name, int steps) {
   const RobotDescription robot = shippedRobot(ROBOT_DIR, name);
   const std::vector<PathPoint> path = pathOf(robot, workspaceOf(name), steps);
   CeresYardstick yardstick(static_cast<int>(robot.cables.size()), kYardstickIterations);
-  const RobotSolverOptions options = patient(Model::kBending, kTolerance);
+  ForwardFollower follower(robot, patient(Model::kBending, kTolerance));
+  follower.solve(path.front().request);
 
   Row row;
   row.robot = name;
   row.layers_low = std::numeric_limits<double>::infinity();
   std::vector<double> warm, bare, ceres;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    ForwardRequest request = path[i].request;
-    request.seed = path[i - 1].pose;
     double begin = now();
-    const RobotSolution solution = solveForward(robot, request, options);
+    const Status& status = follower.solve(path[i].request);
     warm.push_back(now() - begin);
-    if (!solution.report.status.ok()) throw std::runtime_error(name + ": " + solution.report.status.message);
-    row.pose_error = std::max(row.pose_error, (solution.pose.position - path[i].pose.position).norm());
+    if (!status.ok()) throw std::runtime_error(name + ": " + status.message);
+    row.warm_starts += follower.warmStarted() ? 1.0 / steps : 0.0;
+    row.linearisations += follower.iterations() / static_cast<double>(steps);
+    row.pose_error = std::max(row.pose_error, (follower.pose().position - path[i].pose.position).norm());
 
     begin = now();
     std::vector<BarePass> passes;
@@ -140,6 +143,8 @@ void add(const Row& row, double target, BenchmarkReport* report) {
     report->figure(1, ratio, row.warm / row.bare, "");
   }
   report->figure(1, named("forward BENDING warm"), 1e6 * row.warm, "us");
+  report->figure(1, named("linearisations of a warm solve"), row.linearisations, "");
+  report->figure(1, named("share of solves that started warm"), row.warm_starts, "");
   report->figure(1, named("bare RK45 pass over all cables"), 1e6 * row.bare, "us");
   report->figure(1, named("steps of the bare pass"), row.bare_steps, "");
   report->figure(1, named("least kappa L"), row.layers_low, "");

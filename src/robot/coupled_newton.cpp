@@ -1,12 +1,11 @@
 #include "cdpr_kinetostatics/robot/coupled_newton.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -23,84 +22,60 @@ constexpr double kFreezeBelow = 1e-3;
 // And after so many iterations in any case: forces of cables that hardly stretch jitter with the grid.
 constexpr int kAdaptiveIterations = 10;
 
-// A cable's share of the linearised problem: (H, V) change by start + by_pose * (translation, rotation).
-struct Elimination {
-  CableLine line;
-  Eigen::Vector2d start;
-  Eigen::Matrix<double, 2, 6> by_pose;
-};
-
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+// The rows and columns of the robot's freedoms, on the stack.
+using MatrixOfFreedoms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 
-class CoupledNewton {
- public:
-  CoupledNewton(const RobotDescription& robot, const Wrench& external, CoupledState* state)
-      : robot_(robot), external_(external), state_(*state), cables_(robot.cables.size()) {}
+// Newton steps of a prediction: one for the lengths, one for the circles that the cables' ends move on.
+constexpr int kPredictorIterations = 2;
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-  bool linearise(bool adapt);
-  Matrix6 stiffness() const { return stiffness_; }
+// A length below which the distance of B from the vertical through A does not count.
+double leastDistance(const SaggingCable& cable) { return 1e-9 * cable.length(); }
 
-  // Solves for the pose's step. False where the stiffness is singular.
-  bool solve();
+}  // namespace
 
-  // Size of the step, relative: forces, angles along cables, pose.
-  double size() const;
-  // True if what is left to correct is rounding.
-  bool atRounding() const;
-  void step();
+// A cable pulls with force, which changes with its end by stiffness in its plane, and by -across out of it: the plane
+// turns with B.
+void CoupledNewton::addCable(const CableLine& line, const Eigen::Matrix2d& stiffness, const Eigen::Vector3d& force,
+                             double across) {
+  const Eigen::Vector3d& direction = line.direction;
+  Eigen::Matrix<double, 3, 2> to_world;
+  to_world << -direction, Eigen::Vector3d::UnitZ();
+  Eigen::Matrix<double, 2, 3> in_plane;
+  in_plane << direction.transpose(), Eigen::RowVector3d::UnitZ();
+  const Eigen::Vector3d side(-direction.y(), direction.x(), 0.0);
+  const Eigen::Matrix3d by_translation = to_world * stiffness * in_plane - across * side * side.transpose();
+  const Eigen::Matrix3d arm = cross(line.arm);
+  const Eigen::Matrix3d by_rotation = -by_translation * arm;
+  unbalanced_ += wrenchAt(line.arm, force);
+  stiffness_.topLeftCorner<3, 3>() += by_translation;
+  stiffness_.topRightCorner<3, 3>() += by_rotation;
+  stiffness_.bottomLeftCorner<3, 3>() += arm * by_translation;
+  stiffness_.bottomRightCorner<3, 3>() += arm * by_rotation + cross(force) * arm;
+}
 
- private:
-  Eigen::Vector3d change(std::size_t i) const {
-    Eigen::Vector3d force_and_length(0.0, 0.0, 0.0);
-    force_and_length.head<2>() = cables_[i].start + cables_[i].by_pose * pose_step_;
-    return force_and_length;
-  }
-
-  const RobotDescription& robot_;
-  const Wrench external_;
-  CoupledState& state_;
-  std::vector<Elimination> cables_;
-  Wrench unbalanced_;
-  Matrix6 stiffness_;
-  Wrench pose_step_ = Wrench::Zero();
-  double closure_defect_ = 0.0;
-};
-
-bool CoupledNewton::linearise(bool adapt) {
-  unbalanced_ = loadWrench(robot_, state_.pose, external_);
-  stiffness_ = weightStiffness(robot_, state_.pose);
+bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState* state) {
+  unbalanced_ = loadWrench(robot_, state->pose, external);
+  stiffness_ = weightStiffness(robot_, state->pose);
   closure_defect_ = 0.0;
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    SaggingCable& cable = state_.cables[i];
+    SaggingCable& cable = state->cables[i];
+    const bool adapt = steps == Steps::kNew || (steps == Steps::kNewWhereDue && !cable.stepsFit());
     if (!cable.linearise(adapt)) return false;
     Elimination& e = cables_[i];
-    e.line = cableLine(robot_.cables[i], state_.pose);
-    const Eigen::Vector3d& direction = e.line.direction;
-
-    Eigen::Matrix<double, 3, 6> motion;  // of B
-    motion << Eigen::Matrix3d::Identity(), -cross(e.line.arm);
-    Eigen::Matrix<double, 2, 3> in_plane;
-    in_plane << direction.transpose(), Eigen::RowVector3d::UnitZ();
-    const Eigen::Matrix2d stiffness = cable.end().jacobian.leftCols<2>().inverse();
+    e.line = cableLine(robot_.cables[i], state->pose);
+    const Eigen::Matrix<double, 2, 3>& jacobian = cable.end().jacobian;
+    e.stiffness = jacobian.leftCols<2>().inverse();
+    e.by_length = -e.stiffness * jacobian.col(2);
     const Eigen::Vector2d defect = Eigen::Vector2d(e.line.x, e.line.w) - cable.end().position;
     closure_defect_ = std::max(closure_defect_, defect.norm() / cable.length());
-    e.start = stiffness * defect;
-    e.by_pose = stiffness * in_plane * motion;
+    e.start = e.stiffness * defect;
 
     const double weight = cable.properties().weight * cable.length();
     const double h = cable.horizontalForce() + e.start.x();
     const Eigen::Vector3d force = forceOnPlatform(e.line, h, cable.verticalForceA() + e.start.y(), weight);
-    Eigen::Matrix<double, 3, 2> to_world;
-    to_world << -direction, Eigen::Vector3d::UnitZ();
-    // The plane turns with B: a stiffness H/x across it.
-    const double across = h / std::max(e.line.x, 1e-9 * cable.length());
-    const Eigen::Vector3d side(-direction.y(), direction.x(), 0.0);
-    const Eigen::Matrix3d point_stiffness = to_world * stiffness * in_plane - across * side * side.transpose();
-    const Eigen::Matrix<double, 3, 6> force_by_pose = point_stiffness * motion;
-    unbalanced_ += wrenchAt(e.line.arm, force);
-    stiffness_.topRows<3>() += force_by_pose;
-    stiffness_.bottomRows<3>() += cross(e.line.arm) * force_by_pose;
-    stiffness_.bottomRightCorner<3, 3>() += cross(force) * cross(e.line.arm);
+    addCable(e.line, e.stiffness, force, h / std::max(e.line.x, leastDistance(cable)));
   }
   return unbalanced_.allFinite() && stiffness_.allFinite();
 }
@@ -111,7 +86,7 @@ bool CoupledNewton::solve() {
   Wrench scale;
   scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
   const Matrix6 scaled = scale.asDiagonal() * stiffness_ * scale.asDiagonal();
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(scaled.topLeftCorner(n, n));
+  const Eigen::FullPivLU<MatrixOfFreedoms> lu(scaled.topLeftCorner(n, n));
   if (lu.rcond() < 1e-15) return false;
   pose_step_.setZero();
   pose_step_.head(n) = lu.solve(-(scale.asDiagonal() * unbalanced_).head(n));
@@ -119,11 +94,79 @@ bool CoupledNewton::solve() {
   return pose_step_.allFinite();
 }
 
-double CoupledNewton::size() const {
+// With the chord c (cos phi, sin phi) and the force f = (H, q L/2 - V), which for a light cable lies along it, the law
+//     f = turn(phi - phi_0) [f_0 + df/dc (c - c_0) + (df/dphi - z x f_0) (phi - phi_0) + df/dL (L - L_0)]
+// is exact for what makes a long step of a stiff cable nonlinear: that its end moves on a circle.
+double CoupledNewton::predict(const std::vector<double>& lengths, const Wrench& external, CoupledState* state) {
+  const auto quarter = [](const Eigen::Vector2d& v) { return Eigen::Vector2d(-v.y(), v.x()); };
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    Elimination& e = cables_[i];
+    const SaggingCable& cable = state->cables[i];
+    const CableLine line = cableLine(robot_.cables[i], state->pose);
+    Law& law = e.law;
+    law.chord = std::hypot(line.x, line.w);
+    law.along = Eigen::Vector2d(line.x, line.w) / law.chord;
+    const double q = cable.properties().weight;
+    const double length_change = lengths[i] - cable.length();
+    const Eigen::Vector2d force(cable.horizontalForce(), 0.5 * q * cable.length() - cable.verticalForceA());
+    const Eigen::Vector2d signs(1.0, -1.0);
+    law.by_chord = signs.asDiagonal() * e.stiffness * law.along;
+    law.by_turn = law.chord * (signs.asDiagonal() * e.stiffness * quarter(law.along)) - quarter(force);
+    law.force = force + length_change * (signs.cwiseProduct(e.by_length) + Eigen::Vector2d(0.0, 0.5 * q));
+  }
+  Pose pose = state->pose;
+  for (int iteration = 0; iteration <= kPredictorIterations; ++iteration) {
+    unbalanced_ = loadWrench(robot_, pose, external);
+    stiffness_ = weightStiffness(robot_, pose);
+    for (std::size_t i = 0; i < cables_.size(); ++i) {
+      Elimination& e = cables_[i];
+      const Law& law = e.law;
+      e.line = cableLine(robot_.cables[i], pose);
+      const double chord = std::hypot(e.line.x, e.line.w);
+      const Eigen::Vector2d along = Eigen::Vector2d(e.line.x, e.line.w) / chord;
+      Eigen::Matrix2d turn;
+      turn.col(0) << along.dot(law.along), law.along.x() * along.y() - law.along.y() * along.x();
+      turn.col(1) = quarter(turn.col(0));
+      const double angle = std::asin(turn(1, 0));
+      const Eigen::Vector2d force = turn * (law.force + (chord - law.chord) * law.by_chord + angle * law.by_turn);
+      const Eigen::Vector2d by_turn = turn * law.by_turn + quarter(force);
+      Eigen::Matrix2d stiffness =
+          turn * law.by_chord * along.transpose() + by_turn / chord * quarter(along).transpose();
+      stiffness.row(1) *= -1.0;
+      const double weight = state->cables[i].properties().weight * lengths[i];
+      e.start << force.x(), 0.5 * weight - force.y();  // (H, V)
+      addCable(e.line, stiffness, forceOnPlatform(e.line, e.start.x(), e.start.y(), weight),
+               force.x() / std::max(e.line.x, 1e-9 * lengths[i]));
+    }
+    if (iteration == kPredictorIterations) break;
+    if (!unbalanced_.allFinite() || !stiffness_.allFinite() || !solve()) return kNowhere;
+    pose = displaced(pose, pose_step_.head<3>(), pose_step_.tail<3>());
+  }
+  double size = std::max((pose.position - state->pose.position).norm() / robot_.span(),
+                         pose.orientation.angularDistance(state->pose.orientation));
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    SaggingCable& cable = state->cables[i];
+    const Eigen::Vector3d change(cables_[i].start.x() - cable.horizontalForce(),
+                                 cables_[i].start.y() - cable.verticalForceA(), lengths[i] - cable.length());
+    size = std::max({size, change.head<2>().norm() / cable.tensionA()});
+    if (!change.allFinite()) return kNowhere;
+    cable.follow(change);
+  }
+  state->pose = pose;
+  return size;
+}
+
+Eigen::Vector3d CoupledNewton::change(const Elimination& e) const {
+  const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.line.arm);
+  const Eigen::Vector2d forces = e.start + e.stiffness * Eigen::Vector2d(e.line.direction.dot(moved), moved.z());
+  return {forces.x(), forces.y(), 0.0};
+}
+
+double CoupledNewton::size(const CoupledState& state) const {
   double size = std::max(pose_step_.head<3>().norm() / robot_.span(), pose_step_.tail<3>().norm());
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const SaggingCable& cable = state_.cables[i];
-    const Eigen::Vector3d step = change(i);
+    const SaggingCable& cable = state.cables[i];
+    const Eigen::Vector3d step = change(cables_[i]);
     size = std::max({size, step.head<2>().norm() / cable.tensionA(), cable.angleChange(step)});
   }
   return size;
@@ -133,38 +176,36 @@ bool CoupledNewton::atRounding() const {
   return closure_defect_ < 1e-13 && unbalanced_.head(robot_.freedoms()).norm() < 1e-9 * robot_.weight();
 }
 
-void CoupledNewton::step() {
+void CoupledNewton::step(CoupledState* state) const {
   double damping = 1.0;
   const double translation = pose_step_.head<3>().norm();
   const double rotation = pose_step_.tail<3>().norm();
   if (translation > kMaxShareOfSpan * robot_.span()) damping = kMaxShareOfSpan * robot_.span() / translation;
   if (rotation > kMaxRotation) damping = std::min(damping, kMaxRotation / rotation);
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    damping = std::min(damping, state_.cables[i].dampingFor(change(i)));
+    damping = std::min(damping, state->cables[i].dampingFor(change(cables_[i])));
   }
-  state_.pose = displaced(state_.pose, damping * pose_step_.head<3>(), damping * pose_step_.tail<3>());
+  state->pose = displaced(state->pose, damping * pose_step_.head<3>(), damping * pose_step_.tail<3>());
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     // H/x, the horizontal force density, is what stays smooth where B passes below A: it is stepped, and
     // H follows from the new x.
-    SaggingCable& cable = state_.cables[i];
+    SaggingCable& cable = state->cables[i];
     const Elimination& e = cables_[i];
-    const double x = std::max(e.line.x, 1e-9 * cable.length());
+    const double x = std::max(e.line.x, leastDistance(cable));
     const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.line.arm);
     const double density = cable.horizontalForce() / x;
-    Eigen::Vector3d step = change(i);
+    Eigen::Vector3d step = change(e);
     const double density_step = (step.x() - density * e.line.direction.dot(moved)) / x;
-    const double new_x = std::max(cableLine(robot_.cables[i], state_.pose).x, 1e-9 * cable.length());
+    const double new_x = std::max(cableLine(robot_.cables[i], state->pose).x, leastDistance(cable));
     step.x() = ((density + damping * density_step) * new_x - cable.horizontalForce()) / damping;
     cable.step(step, damping);
   }
 }
 
-}  // namespace
-
 CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& external, const CoupledOptions& options,
                             CoupledState* state) {
   CoupledOutcome outcome;
-  CoupledNewton newton(robot, external, state);
+  CoupledNewton newton(robot);
   bool adapt = true;
   double last_size = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMaxIterations; ++i) {
@@ -173,15 +214,15 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
       return outcome;
     }
     ++outcome.iterations;
-    if (!newton.linearise(adapt)) break;
+    if (!newton.linearise(external, adapt ? Steps::kNew : Steps::kKept, state)) break;
     outcome.stiffness = newton.stiffness();
     if (!newton.solve()) {
       outcome.status = {Code::kNotConverged,
                         "the robot's stiffness is singular here: the cables leave the platform a free motion"};
       return outcome;
     }
-    const double size = newton.size();
-    newton.step();
+    const double size = newton.size(*state);
+    newton.step(state);
     if (!adapt && (size <= options.tolerance || (size < 1e-5 && size >= 0.5 * last_size && newton.atRounding()))) {
       outcome.status.code = Code::kConverged;
       return outcome;
@@ -195,9 +236,8 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
 
 bool isStable(const RobotDescription& robot, const Matrix6& stiffness) {
   const int n = robot.freedoms();
-  const Eigen::MatrixXd symmetric = 0.5 * (stiffness + stiffness.transpose()).topLeftCorner(n, n);
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff() <
-         0.0;
+  const MatrixOfFreedoms hessian = -0.5 * (stiffness + stiffness.transpose()).topLeftCorner(n, n);
+  return hessian.llt().info() == Eigen::Success;
 }
 
 }  // namespace cdpr_kinetostatics

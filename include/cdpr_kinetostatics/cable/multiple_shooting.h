@@ -197,7 +197,7 @@ class MultipleShooting {
   Eigen::Vector2d last_node_ = Eigen::Vector2d::Zero();  // (alpha, moment) at B
   Affine last_change_ = Affine::Zero();
   EndPoint end_;
-  double step_error_ = 0.0;   // largest of a step, in shares of what it should be
+  double step_error_ = 0.0;  // largest of a step, in shares of what it should be
   double angle_defect_ = 0.0;
   double moment_defect_ = 0.0;
   Eigen::Vector2d variation_ = Eigen::Vector2d::Zero();  // of (alpha, moment), from a turn of the end A

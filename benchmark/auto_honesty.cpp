@@ -1,5 +1,5 @@
 // Is AUTO as accurate as it says? Random scenes of every shipped robot, against BENDING at a tolerance of 1e-11.
-//   auto_honesty [--scenes N] [--csv FILE] [--quick]
+//   auto_honesty [--scenes N] [--csv FILE] [--quick]      N answers; scripts/plot_auto.py draws them
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -119,8 +119,10 @@ int main(int argc, char** argv) {
         outcome.estimate = found.report.estimated_error;
         countRungs(found, &outcome);
       }
+      csv << workspace.robot << ',' << problem << ',' << scene.accuracy << ',' << scene.stiffness_factor;
       if (!outcome.solved) {
         ++refused;
+        csv << ",,,,,,\n";
         std::printf("%s %s accuracy %.2e EI x %.2e: %s\n", workspace.robot.c_str(), problem, scene.accuracy,
                     scene.stiffness_factor, found.report.status.message.c_str());
         continue;
@@ -132,7 +134,6 @@ int main(int argc, char** argv) {
         ++coarser;
         honest += outcome.estimate < 5.0 * outcome.truth && outcome.truth < 5.0 * outcome.estimate;
       }
-      csv << workspace.robot << ',' << problem << ',' << scene.accuracy << ',' << scene.stiffness_factor;
       for (const int count : outcome.rungs) csv << ',' << count;
       csv << ',' << outcome.truth << ',' << outcome.estimate << '\n';
       if (outcome.truth > scene.accuracy) {

@@ -1,6 +1,7 @@
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 
 #include <sstream>
+#include <string>
 
 #include "cdpr_kinetostatics/cable/model_error.h"
 #include "rung_problems.h"
@@ -39,17 +40,20 @@ CableSolution solveAuto(const CableProperties& cable, const CableSolverOptions& 
   return solve(on_rung);
 }
 
+std::string describeChoice(const CableSolution& solution) {
+  if (solution.model == Model::kBending) return "bending: no coarser model is known to be accurate enough";
+  std::ostringstream text;
+  text.precision(2);
+  text << modelName(solution.model) << " was accurate enough: what it neglects moves the end by "
+       << solution.estimated_error << " m";
+  return text.str();
+}
+
 template <typename Solve>
 CableSolution solveOnLadder(const CableProperties& cable, const CableSolverOptions& options, const Solve& solve) {
   CableSolution solution = options.model == Model::kAuto ? solveAuto(cable, options, solve) : solve(options);
   estimateError(cable, &solution);
-  if (options.model == Model::kAuto && solution.status.ok()) {
-    std::ostringstream text;
-    text.precision(2);
-    text << modelName(solution.model) << " was accurate enough: what it neglects moves the end by "
-         << solution.estimated_error << " m";
-    if (solution.model != Model::kBending) solution.status.message = text.str();
-  }
+  if (options.model == Model::kAuto && solution.status.ok()) solution.status.message = describeChoice(solution);
   return solution;
 }
 

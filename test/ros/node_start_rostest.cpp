@@ -29,6 +29,7 @@ XmlRpcValue withRobot() {
 
 TEST(NodeStart, TellsWhatItLoadedAndOffers) {
   XmlRpcValue parameters = withRobot();
+  parameters["model"] = "bending";
   parameters["tolerance"] = 1e-6;
   parameters["colour"] = "red";
   ros::param::set("/good", parameters);

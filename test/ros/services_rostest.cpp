@@ -183,6 +183,7 @@ TEST_P(Services, CableAloneAgreesWithCableOfTheRobot) {
 
   SolveCable::Request request;
   request.options.timeout = ros::Duration(kTimeout);
+  request.options.model = cable.model;
   request.cable_name = cable.name;
   request.x = chord.head<2>().norm();
   request.y = chord.z();

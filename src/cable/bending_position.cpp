@@ -78,6 +78,10 @@ BendingOutcome scanStartAngles(const CableProperties& cable, double length, cons
   double angle = -M_PI;
   std::optional<double> moment = momentAtB(angle);
   for (int i = 1; i <= kScanAngles && outcome.status.code == Code::kNotConverged; ++i) {
+    if (std::chrono::steady_clock::now() > options.deadline) {
+      outcome.status = {Code::kTimedOut, "the time allowed ran out while looking for the cable's angle at A"};
+      break;
+    }
     const double last_angle = angle;
     const std::optional<double> last_moment = moment;
     angle = -M_PI + 2.0 * M_PI * i / kScanAngles;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "cdpr_kinetostatics/cable/bending.h"
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
 #include "cdpr_kinetostatics/cable/bending_effect.h"
+#include "cdpr_kinetostatics/cable/cable_evaluation.h"
 #include "cdpr_kinetostatics/cable/straight.h"
 #include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
 
@@ -61,11 +61,12 @@ bool CableClosure::Evaluate(double const* const* parameters, double* residuals, 
 }
 
 std::unique_ptr<CableClosure> makeClosure(Model model, const CableProperties& cable, const Eigen::Vector3d& anchor,
-                                          const Eigen::Vector3d& attachment, double length_scale, double tolerance) {
+                                          const Eigen::Vector3d& attachment, double length_scale,
+                                          const BendingOptions& options) {
   const CableProperties seen = asSeenBy(model, cable);
   if (isStraight(model)) return std::make_unique<StraightClosure>(seen, anchor, attachment, length_scale);
   if (isBending(model) && seen.bending_stiffness > 0.0) {
-    return std::make_unique<BendingClosure>(seen, anchor, attachment, length_scale, tolerance);
+    return std::make_unique<BendingClosure>(seen, anchor, attachment, length_scale, options);
   }
   return std::make_unique<CatenaryClosure>(seen, anchor, attachment, length_scale);
 }
@@ -90,15 +91,13 @@ bool CatenaryClosure::endPoint(double h, double v, double length, EndPoint* end)
 }
 
 BendingClosure::BendingClosure(const CableProperties& cable, const Eigen::Vector3d& anchor,
-                               const Eigen::Vector3d& attachment, double length_scale, double tolerance)
-    : CableClosure(anchor, attachment, length_scale), cable_(cable), tolerance_(tolerance) {}
+                               const Eigen::Vector3d& attachment, double length_scale, const BendingOptions& options)
+    : CableClosure(anchor, attachment, length_scale), cable_(cable), options_(options) {}
 
 bool BendingClosure::endPoint(double h, double v, double length, EndPoint* end) const {
-  BendingOptions options;
-  options.tolerance = tolerance_;
   const ForcesAtA forces{h, v};
-  started_ = (started_ && followBendingPosition(length, forces, options, &shooting_).status.ok()) ||
-             solveBendingPosition(cable_, length, forces, options, &shooting_).status.ok();
+  started_ = (started_ && followBendingPosition(length, forces, options_, &shooting_).status.ok()) ||
+             solveBendingPosition(cable_, length, forces, options_, &shooting_).status.ok();
   if (!started_) return false;
   *end = shooting_.end();
   return true;

@@ -27,21 +27,39 @@ constexpr double kSpringTolerance = 1e-4;
 // B below A is taken this share of the length beside it.
 constexpr double kBeside = 1e-9;
 
+// The robot's span and the load: Ceres scales columns and bounds its damping by absolute numbers, so the search runs
+// where both are 1.
+struct Units {
+  double length;  // [m]
+  double force;   // [N]
+};
+
+RobotDescription inUnits(const Units& units, RobotDescription robot) {
+  robot.mass /= units.force;
+  robot.com /= units.length;
+  for (CableDescription& cable : robot.cables) {
+    cable.anchor /= units.length;
+    cable.attachment /= units.length;
+    CableProperties& properties = cable.properties;
+    properties.axial_stiffness /= units.force;
+    properties.bending_stiffness /= units.force * units.length * units.length;
+    properties.weight *= units.length / units.force;
+  }
+  return robot;
+}
+
+Wrench inUnits(const Units& units, Wrench wrench) {
+  wrench.head<3>() /= units.force;
+  wrench.tail<3>() /= units.force * units.length;
+  return wrench;
+}
+
 class StopWhenGoodEnough : public ceres::IterationCallback {
  public:
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     return summary.cost < kGoodEnough ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 };
-
-// Forces in units of the load, moments of the load times the platform's radius.
-Wrench equilibriumWeight(const RobotDescription& robot, const Wrench& external) {
-  const double force = std::max(robot.weight(), external.head<3>().norm());
-  const double arm = std::max(robot.platformRadius(), 1e-3 * robot.span());
-  Wrench weight;
-  weight << Eigen::Vector3d::Constant(1.0 / force), Eigen::Vector3d::Constant(1.0 / (force * arm));
-  return weight;
-}
 
 // The stable pose with straight elastic cables nearest to the start.
 Status descendWithSprings(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
@@ -84,23 +102,28 @@ Status roughStart(const RobotDescription& robot, const Wrench& external, const s
 Status searchBasin(const RobotDescription& robot, const Wrench& external, Model model, double tolerance,
                    std::chrono::steady_clock::time_point deadline, RobotForces* state, int* iterations) {
   const std::size_t count = robot.cables.size();
-  Eigen::Vector3d position = state->pose.position;
+  const Units units{robot.span(), std::max(robot.weight(), external.head<3>().norm())};
+  const RobotDescription scaled = inUnits(units, robot);
+  Eigen::Vector3d position = state->pose.position / units.length;
   Eigen::Quaterniond orientation = state->pose.orientation;
   std::vector<std::array<double, 2>> forces(count);
-  std::vector<double> lengths = state->lengths;
+  std::vector<double> lengths(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * lengths[i]);
-    forces[i] = {state->forces[i].horizontal / x, state->forces[i].vertical};
+    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * state->lengths[i]);
+    lengths[i] = state->lengths[i] / units.length;
+    forces[i] = {state->forces[i].horizontal / x * units.length / units.force, state->forces[i].vertical / units.force};
   }
 
   ceres::Problem problem;
   std::vector<double*> blocks = {position.data(), orientation.coeffs().data()};
   for (auto& force : forces) blocks.push_back(force.data());
   for (double& length : lengths) blocks.push_back(&length);
-  const Wrench weight = equilibriumWeight(robot, external);
-  problem.AddResidualBlock(equilibriumBlock(robot, external, weight).release(), nullptr, blocks);
+  const Wrench load = inUnits(units, external);
+  Wrench weight;  // moments count as forces at the platform's radius
+  weight << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / std::max(scaled.platformRadius(), 1e-3));
+  problem.AddResidualBlock(equilibriumBlock(scaled, load, weight).release(), nullptr, blocks);
   for (std::size_t i = 0; i < count; ++i) {
-    ceres::CostFunction* closure = closureBlock(robot.cables[i], model, lengths[i], tolerance).release();
+    ceres::CostFunction* closure = closureBlock(scaled.cables[i], model, lengths[i], {tolerance, deadline}).release();
     problem.AddResidualBlock(closure, nullptr, position.data(), orientation.coeffs().data(), forces[i].data(),
                              &lengths[i]);
     problem.SetParameterBlockConstant(&lengths[i]);
@@ -129,11 +152,11 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   ceres::Solve(options, &problem, &summary);
   *iterations += static_cast<int>(summary.iterations.size());
 
-  state->pose.position = position;
+  state->pose.position = units.length * position;
   state->pose.orientation = orientation.normalized();
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * lengths[i]);
-    state->forces[i] = {forces[i][0] * x, forces[i][1]};
+    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * state->lengths[i]);
+    state->forces[i] = {units.force / units.length * forces[i][0] * x, units.force * forces[i][1]};
   }
   if (std::chrono::steady_clock::now() > deadline) {
     return {Code::kTimedOut, "the time allowed ran out while looking for the platform's pose"};

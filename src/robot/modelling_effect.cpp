@@ -38,7 +38,6 @@ class LinearRobot {
  public:
   explicit LinearRobot(const RobotDescription& robot, const Pose& pose)
       : radius_(std::max(robot.platformRadius(), 1e-6 * robot.span())), stiffness_(weightStiffness(robot, pose)) {
-    if (robot.type == PlatformType::kPointMass) stiffness_.bottomRightCorner<3, 3>().setIdentity();
     rigid_ = robot.type == PlatformType::kRigidBody;
   }
 
@@ -61,6 +60,8 @@ class LinearRobot {
 
   // False where the stiffness is singular.
   bool factorise() {
+    // A point mass's rotations are as stiff as its translations: they take no part, and hide no singularity.
+    if (!rigid_) stiffness_.diagonal().tail<3>().setConstant(stiffness_.topLeftCorner<3, 3>().cwiseAbs().maxCoeff());
     Wrench scale;
     scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(rigid_ ? 1.0 / radius_ : 1.0);
     lu_.compute(scale.asDiagonal() * stiffness_ * scale.asDiagonal());

@@ -16,8 +16,8 @@ std::unique_ptr<PlatformEquilibrium> equilibriumBlock(const RobotDescription& ro
 }
 
 std::unique_ptr<CableClosure> closureBlock(const CableDescription& cable, Model model, double length_scale,
-                                           double tolerance) {
-  return makeClosure(model, cable.properties, cable.anchor, cable.attachment, length_scale, tolerance);
+                                           const BendingOptions& options) {
+  return makeClosure(model, cable.properties, cable.anchor, cable.attachment, length_scale, options);
 }
 
 }  // namespace cdpr_kinetostatics

@@ -24,7 +24,8 @@ double chordAt(const RobotDescription& robot, std::size_t i, const Pose& pose) {
 Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
                            Clock::time_point deadline, Pose* pose, std::vector<double>* tensions, int* iterations) {
   std::vector<Spring> springs;
-  for (const double length : request.lengths) springs.push_back({1.0, length, 0.0, true});
+  const double stiffness = robot.weight() / robot.span();
+  for (const double length : request.lengths) springs.push_back({stiffness, length, 0.0, true});
   const Status status = SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose, iterations);
   if (!status.ok()) return status;
   const int n = robot.freedoms();

@@ -89,7 +89,7 @@ TEST_P(Allocation, EvaluatingAResidualBlockAgainTakesNothing) {
   for (const Model model : {Model::kCatenary, Model::kBending}) {
     SCOPED_TRACE(modelName(model));
     const auto closure =
-        makeClosure(model, c.properties, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), c.length, 1e-8);
+        makeClosure(model, c.properties, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), c.length, {1e-8});
     double residuals[2];
     double blocks[4][8];
     double* jacobians[] = {blocks[0], blocks[1], blocks[2], blocks[3]};

@@ -1,6 +1,7 @@
 // The bending cable's closure block: analytic Jacobian against differences, and its limit EI -> 0.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <limits>
 
 #include "cdpr_kinetostatics/residuals/cable_closure.h"
@@ -18,7 +19,7 @@ TEST_P(BendingClosureBlock, JacobianIsThatOfCentralDifferences) {
   Dice dice(21);
   for (int i = 0; i < kStates; ++i) {
     const ClosureState s = randomClosure(GetParam(), &dice);
-    const BendingClosure block(s.cable, s.anchor, s.attachment, s.chord, kTolerance);
+    const BendingClosure block(s.cable, s.anchor, s.attachment, s.chord, {kTolerance});
     const Evaluation own = evaluate(block, s.parameters);
     ASSERT_TRUE(own.valid) << "state " << i;
     ASSERT_TRUE(own.finite()) << "state " << i;
@@ -39,7 +40,7 @@ TEST_P(BendingClosureBlock, JacobianPassesTheGradientChecker) {
   Dice dice(22);
   for (int i = 0; i < kStates; ++i) {
     const ClosureState s = randomClosure(GetParam(), &dice);
-    const BendingClosure block(s.cable, s.anchor, s.attachment, s.chord, kTolerance);
+    const BendingClosure block(s.cable, s.anchor, s.attachment, s.chord, {kTolerance});
     const CheckedJacobians checked = checkedJacobians(block, s.parameters);
     ASSERT_TRUE(checked.valid) << "state " << i;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -56,7 +57,7 @@ TEST_P(BendingClosureBlock, WithoutFlexuralRigidityIsTheCatenary) {
   for (int i = 0; i < kStates; ++i) {
     ClosureState s = randomClosure(GetParam(), &dice);
     s.cable.bending_stiffness = 1e-6;
-    const BendingClosure bending(s.cable, s.anchor, s.attachment, s.chord, 1e-10);
+    const BendingClosure bending(s.cable, s.anchor, s.attachment, s.chord, {1e-10});
     const CatenaryClosure catenary(s.cable, s.anchor, s.attachment, s.chord);
     const Evaluation a = evaluate(bending, s.parameters);
     const Evaluation b = evaluate(catenary, s.parameters);
@@ -72,12 +73,12 @@ TEST_P(BendingClosureBlock, WithoutFlexuralRigidityIsTheCatenary) {
 TEST_P(BendingClosureBlock, ValueDoesNotDependOnEarlierEvaluations) {
   Dice dice(24);
   const ClosureState first = randomClosure(GetParam(), &dice);
-  const BendingClosure block(first.cable, first.anchor, first.attachment, first.chord, kTolerance);
+  const BendingClosure block(first.cable, first.anchor, first.attachment, first.chord, {kTolerance});
   for (int i = 0; i < kStates; ++i) {
     ParameterBlocks parameters = first.parameters;
     parameters[2] *= dice.uniform(0.7, 1.4);
     parameters[3] *= dice.uniform(0.98, 1.02);
-    const BendingClosure fresh(first.cable, first.anchor, first.attachment, first.chord, kTolerance);
+    const BendingClosure fresh(first.cable, first.anchor, first.attachment, first.chord, {kTolerance});
     const Evaluation warm = evaluate(block, parameters);
     const Evaluation cold = evaluate(fresh, parameters);
     ASSERT_EQ(warm.valid, cold.valid) << "evaluation " << i;
@@ -93,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Cables, BendingClosureBlock,
                          [](const testing::TestParamInfo<ClosureKind>& each) { return std::string(each.param.name); });
 
 TEST(BendingClosure, StaysFiniteWhereTheEndLiesStraightBelowTheAnchor) {
-  const BendingClosure block({1e5, 0.5, 1.0}, {1.0, 2.0, 5.0}, Eigen::Vector3d::Zero(), 4.0, 1e-10);
+  const BendingClosure block({1e5, 0.5, 1.0}, {1.0, 2.0, 5.0}, Eigen::Vector3d::Zero(), 4.0, {1e-10});
   const ParameterBlocks parameters = {Eigen::Vector3d(1.0, 2.0, 0.98), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0),
                                       Eigen::Vector2d(125.0, 500.0), Eigen::VectorXd::Constant(1, 4.0)};
   const Evaluation e = evaluate(block, parameters);
@@ -104,8 +105,19 @@ TEST(BendingClosure, StaysFiniteWhereTheEndLiesStraightBelowTheAnchor) {
   EXPECT_LT(std::abs(e.jacobians[2](1, 0)), 1e-6);
 }
 
+TEST(BendingClosure, RefusesAfterItsDeadline) {
+  Dice dice(25);
+  const ClosureState s = randomClosure({"slack", 0.05, 0.8, 0.9, -1.0, false}, &dice);
+  BendingOptions options{kTolerance};
+  const BendingClosure patient(s.cable, s.anchor, s.attachment, s.chord, options);
+  EXPECT_TRUE(evaluate(patient, s.parameters).valid);
+  options.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+  const BendingClosure late(s.cable, s.anchor, s.attachment, s.chord, options);
+  EXPECT_FALSE(evaluate(late, s.parameters).valid);
+}
+
 TEST(BendingClosure, InvalidStatesAreRefused) {
-  const BendingClosure block({1e5, 0.5, 1.0}, {0.0, 0.0, 5.0}, {0.1, 0.0, 0.0}, 4.0, 1e-8);
+  const BendingClosure block({1e5, 0.5, 1.0}, {0.0, 0.0, 5.0}, {0.1, 0.0, 0.0}, 4.0, {1e-8});
   const ParameterBlocks good = {Eigen::Vector3d(2.0, 1.0, 2.0), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0),
                                 Eigen::Vector2d(30.0, 60.0), Eigen::VectorXd::Constant(1, 3.8)};
   ASSERT_TRUE(evaluate(block, good).valid);

@@ -15,6 +15,6 @@ std::unique_ptr<PlatformEquilibrium> equilibriumBlock(const RobotDescription& ro
                                                       const Wrench& weight);
 
 std::unique_ptr<CableClosure> closureBlock(const CableDescription& cable, Model model, double length_scale,
-                                           double tolerance);
+                                           const BendingOptions& options);
 
 }  // namespace cdpr_kinetostatics

@@ -87,6 +87,12 @@ INSTANTIATE_TEST_SUITE_P(Robots, Tracking,
                          testing::Values("cogiro", "desktop_music_wire", "scampi", "paper_point_mass"),
                          [](const auto& robot) { return robot.param; });
 
+TEST(Auto, StaysWithinTheAccuracyAskedFor) {
+  const std::vector<Pair> pairs = track("/auto", 60);
+  ASSERT_GE(pairs.size(), 60u) << "too few estimates";
+  for (const Pair& pair : pairs) EXPECT_LT(pair.error().head<3>().norm(), 1e-4);
+}
+
 // The mean of the normalised squared error of n independent estimates is 6 with a standard deviation of
 // sqrt(12/n): 0.2 for 300. Five of these are allowed.
 TEST(Noise, ErrorsAreAsLargeAsTheCovarianceSays) {

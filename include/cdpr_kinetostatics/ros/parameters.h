@@ -17,11 +17,11 @@ namespace cdpr_kinetostatics {
 class ParameterReader;
 
 struct NodeParameters {
-  RobotDescription robot;         // ~robot, no default
-  Model model = Model::kAuto;     // ~model
-  double accuracy = 1e-4;         // ~accuracy [m]
-  double tolerance = 1e-8;        // ~tolerance, relative [-]
-  double timeout = 0.1;           // ~timeout, of one solve [s]
+  RobotDescription robot;      // ~robot, no default
+  Model model = Model::kAuto;  // ~model
+  double accuracy = 1e-4;      // ~accuracy [m]
+  double tolerance = 1e-8;     // ~tolerance, relative [-]
+  double timeout = 0.1;        // ~timeout, of one solve [s]
 
   // ~length_stddev, ~tension_stddev, ~known_load, ~load_stddev, ~outlier_threshold, ~profile_points; the rest
   // is that of the services.

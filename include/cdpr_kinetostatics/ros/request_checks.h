@@ -31,9 +31,9 @@ class RequestError : public std::runtime_error {
 };
 
 // Beyond these a number is a mistake of units or an overflow; the solvers are tested up to them.
-constexpr double kMaxLength = 1e6;   // lengths and coordinates [m]
-constexpr double kMaxForce = 1e12;   // forces [N], torques [N m], stiffnesses [N, N m^2]
-constexpr double kMaxDensity = 1e6;  // [kg/m]
+constexpr double kMaxLength = 1e6;      // lengths and coordinates [m]
+constexpr double kMaxForce = 1e12;      // forces [N], torques [N m], stiffnesses [N, N m^2]
+constexpr double kMaxDensity = 1e6;     // [kg/m]
 constexpr double kMinAccuracy = 1e-15;  // [m]
 constexpr double kMinTolerance = 1e-13;
 constexpr double kMaxTolerance = 0.1;

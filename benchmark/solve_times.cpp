@@ -1,7 +1,8 @@
 // Times of this package's solvers for scripts/compare_scipy.py (docs/performance.md, item 6).
 //
 //     solve_times cables                  from lines "EA EI q L x w" of the input; prints CSV
-//     solve_times robot FILE dx dy dz     home displaced by (dx, dy, dz) [m], found again from home; prints JSON
+//     solve_times robot FILE dx dy dz     home displaced by (dx, dy, dz) [m], found again from home, cold (from the
+//                                         pose alone) and warm (from the solution there); prints JSON
 #include <cmath>
 #include <cstring>
 #include <iomanip>
@@ -12,6 +13,7 @@
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "cdpr_kinetostatics/robot/forward.h"
+#include "cdpr_kinetostatics/robot/forward_follower.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
 #include "robot_cases.h"
 #include "support/timing.h"
@@ -64,6 +66,11 @@ void printPose(const char* name, const Pose& pose) {
   std::cout << ", \"orientation\": [" << q.x() << ", " << q.y() << ", " << q.z() << ", " << q.w() << "]}";
 }
 
+void requireFound(const RobotSolution& found, const Pose& pose) {
+  requireOk(found.report.status);
+  if (!samePose(found.pose, pose, 1e-6)) throw std::runtime_error("the forward solve led to another pose");
+}
+
 void timeRobot(const std::string& file, const Eigen::Vector3d& displacement) {
   const RobotDescription robot = loadRobotFile(file).robot;
   Pose pose = robot.home;
@@ -72,21 +79,30 @@ void timeRobot(const std::string& file, const Eigen::Vector3d& displacement) {
   pose.position += displacement;
   const RobotSolution there = solveInverse(robot, requestFor(robot, pose), patient(Model::kBending, 1e-12));
   requireOk(there.report.status);
-  ForwardRequest request;
+  ForwardRequest at_home;
+  at_home.lengths = lengthsOf(home);
+  at_home.seed = home.pose;
+  ForwardRequest request = at_home;
   request.lengths = lengthsOf(there);
-  request.seed = home.pose;
-  std::vector<double> times;
-  RobotSolution found;
+  ForwardFollower follower(robot, patient(Model::kBending));
+  std::vector<double> cold, warm;
   for (int round = 0; round < kRounds; ++round) {
-    const double begin = now();
-    found = solveForward(robot, request, patient(Model::kBending));
-    times.push_back(now() - begin);
+    double begin = now();
+    const RobotSolution found = solveForward(robot, request, patient(Model::kBending));
+    cold.push_back(now() - begin);
+    requireFound(found, there.pose);
+    requireOk(follower.solve(at_home));
+    begin = now();
+    requireOk(follower.solve(request));
+    warm.push_back(now() - begin);
+    if (!follower.warmStarted()) throw std::runtime_error("the step is too long for a warm start");
   }
-  requireOk(found.report.status);
-  if (!samePose(found.pose, there.pose, 1e-6)) throw std::runtime_error("the forward solve led to another pose");
+  const RobotSolution found = follower.solution();
+  requireFound(found, there.pose);
 
-  std::cout << "{\"name\": \"" << robot.name << "\", \"seconds\": " << quantile(times, 0.5)
-            << ", \"weight\": " << robot.weight() << ", \"freedoms\": " << robot.freedoms() << ", \"com\": ";
+  std::cout << "{\"name\": \"" << robot.name << "\", \"cold_seconds\": " << quantile(cold, 0.5)
+            << ", \"warm_seconds\": " << quantile(warm, 0.5) << ", \"weight\": " << robot.weight()
+            << ", \"freedoms\": " << robot.freedoms() << ", \"com\": ";
   printVector(robot.com);
   std::cout << ",\n ";
   printPose("start", home.pose);

@@ -27,7 +27,7 @@ EndPoint correctedCatenaryEnd(const CableProperties& cable, double horizontal_fo
 std::optional<ForcesAtA> correctedCatenaryForces(const CableProperties& cable, double length, double x, double w,
                                                  int* iterations = nullptr);
 
-// Displacement of the end by bending with the end layers' own effect, equation (37).
+// Displacement of the end by bending with the end layers' own effect, equations (24) and (29).
 struct BendingEffect {
   Eigen::Vector2d end = Eigen::Vector2d::Zero();           // of the bending cable from the catenary [m]
   Eigen::Vector2d beyond_first = Eigen::Vector2d::Zero();  // the part that firstOrderBending lacks [m]

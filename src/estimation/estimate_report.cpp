@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "fault_search.h"
 #include "model_effect.h"

@@ -1,7 +1,7 @@
 // What the cables' rungs neglect, seen at the estimated pose.
 #pragma once
 
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
+#include "cdpr_kinetostatics/robot/rung_choice.h"
 #include "measured_robot.h"
 
 namespace cdpr_kinetostatics {

@@ -81,16 +81,20 @@ bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState*
 }
 
 bool CoupledNewton::solve() {
-  const int n = robot_.freedoms();
-  const double radius = n == 6 ? std::max(robot_.platformRadius(), 1e-6 * robot_.span()) : 1.0;
-  Wrench scale;
-  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
-  const Matrix6 scaled = scale.asDiagonal() * stiffness_ * scale.asDiagonal();
-  const Eigen::FullPivLU<MatrixOfFreedoms> lu(scaled.topLeftCorner(n, n));
-  if (lu.rcond() < 1e-15) return false;
-  pose_step_.setZero();
-  pose_step_.head(n) = lu.solve(-(scale.asDiagonal() * unbalanced_).head(n));
-  pose_step_ = scale.asDiagonal() * pose_step_;
+  Wrench scale = Wrench::Ones();
+  Matrix6 scaled = stiffness_;
+  if (robot_.freedoms() == 6) {
+    scale.tail<3>().setConstant(1.0 / std::max(robot_.platformRadius(), 1e-6 * robot_.span()));
+    scaled = scale.asDiagonal() * stiffness_ * scale.asDiagonal();
+  } else {  // a point mass does not turn
+    scaled.rightCols<3>().setZero();
+    scaled.bottomRows<3>().setZero();
+    scaled.bottomRightCorner<3, 3>().diagonal().setConstant(stiffness_.topLeftCorner<3, 3>().norm());
+    unbalanced_.tail<3>().setZero();
+  }
+  const Eigen::PartialPivLU<Matrix6> lu(scaled);
+  if (!(lu.rcond() > 1e-15)) return false;
+  pose_step_ = scale.asDiagonal() * lu.solve(-(scale.asDiagonal() * unbalanced_));
   return pose_step_.allFinite();
 }
 

@@ -7,6 +7,7 @@
 #include "cdpr_kinetostatics/robot/coupled_newton.h"
 #include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cdpr_kinetostatics/robot/rung_choice.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "cdpr_kinetostatics/robot/straight_forward.h"
 
@@ -52,7 +53,7 @@ class ForwardSolve {
     status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
                          &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
-    rungs_ = choose ? chooseRungs(robot_, start, options_.accuracy)
+    rungs_ = choose ? RungChoice().choose(robot_, start, options_.accuracy, {})
                     : std::vector<Model>(robot_.cables.size(), options_.model);
     status = refine(start);
     while (choose && status.ok()) {

@@ -1,9 +1,11 @@
 #include "cdpr_kinetostatics/robot/forward_follower.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
@@ -27,6 +29,7 @@ ForwardFollower::ForwardFollower(const RobotDescription& robot, const RobotSolve
     : robot_(robot), options_(options), newton_(robot) {}
 
 const Status& ForwardFollower::solve(const ForwardRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
   iterations_ = 0;
   warm_started_ = can_follow_ && follow(request);
   if (warm_started_) {
@@ -36,6 +39,7 @@ const Status& ForwardFollower::solve(const ForwardRequest& request) {
     startCold(request);
   }
   external_ = request.external_wrench;
+  solve_time_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return status_;
 }
 
@@ -46,7 +50,7 @@ bool ForwardFollower::follow(const ForwardRequest& request) {
     if (!(length > 0.0)) return false;
   }
   if (!(newton_.predict(request.lengths, request.external_wrench, &state_) < kLongestReach)) return false;
-  return converge(request.external_wrench) && onBranch();
+  return converge(request.external_wrench) && onBranch() && rungsServe();
 }
 
 // From a state near the solution. Integration steps are chosen anew where the old ones do not serve.
@@ -74,6 +78,18 @@ bool ForwardFollower::onBranch() const {
          std::all_of(state_.cables.begin(), state_.cables.end(), [](const SaggingCable& c) { return c.onBranch(); });
 }
 
+bool ForwardFollower::rungsServe() {
+  if (options_.model != Model::kAuto) return true;
+  reached_.pose = state_.pose;
+  reached_.lengths.clear();
+  reached_.forces.clear();
+  for (const SaggingCable& cable : state_.cables) {
+    reached_.lengths.push_back(cable.length());
+    reached_.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
+  }
+  return choice_.choose(robot_, reached_, options_.accuracy, rungs_) == rungs_;
+}
+
 void ForwardFollower::startCold(const ForwardRequest& request) {
   cold_ = solveForward(robot_, request, options_);
   iterations_ += cold_.report.iterations;
@@ -85,8 +101,10 @@ void ForwardFollower::startCold(const ForwardRequest& request) {
 bool ForwardFollower::adopt(const RobotSolution& solution, const Wrench& external) {
   state_.pose = solution.pose;
   state_.cables.clear();
+  rungs_.clear();
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     const CableSolution& cable = solution.cables[i].cable;
+    rungs_.push_back(cable.model);
     state_.cables.emplace_back(robot_.cables[i].properties, cable.model, options_.tolerance);
     SaggingCable& adopted = state_.cables.back();
     const BendingOptions bending{options_.tolerance};
@@ -101,12 +119,14 @@ RobotSolution ForwardFollower::solution() const {
   solution.pose = state_.pose;
   solution.report.status = status_;
   solution.report.iterations = iterations_;
+  solution.report.solve_time = solve_time_;
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     const CableLine line = cableLine(robot_.cables[i], state_.pose);
     cables.push_back(state_.cables[i].describe(line.x, line.w, options_.profile_points));
   }
   assemble(robot_, external_, cables, &solution);
+  if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
   if (options_.compute_stiffness) solution.stiffness = newton_.stiffness();
   return solution;
 }

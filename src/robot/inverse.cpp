@@ -10,6 +10,7 @@
 #include "cdpr_kinetostatics/cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cdpr_kinetostatics/robot/rung_choice.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
 
@@ -85,7 +86,7 @@ class InverseSolve {
     std::vector<Model> rungs(robot_.cables.size(), options_.model);
     if (status.ok() && startingRung(options_.model) != options_.model) {
       status = iterate(kRough);
-      if (choose && status.ok()) rungs = chooseRungs(robot_, reached(), options_.accuracy);
+      if (choose && status.ok()) rungs = RungChoice().choose(robot_, reached(), options_.accuracy, {});
       useRungs(rungs);
     }
     if (status.ok()) status = iterate(options_.tolerance);

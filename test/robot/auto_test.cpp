@@ -6,7 +6,7 @@
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
+#include "cdpr_kinetostatics/robot/rung_choice.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {
@@ -140,7 +140,7 @@ TEST(AutoInAStream, KeepsARungThatTheCoarserOneWouldOnlyJustReplace) {
     cable.displacement[0].x() = 1.0;
     cable.displacement[1].x() = effect;
     cable.known.fill(true);
-    return chooseRungs(std::vector<RungEffects>{cable}, 1e-4, kept).front();
+    return RungChoice().choose(std::vector<RungEffects>{cable}, 1e-4, kept).front();
   };
   EXPECT_EQ(chosen(3e-5, {}), Model::kCatenary);
   EXPECT_EQ(chosen(6e-5, {}), Model::kCatenaryCorrected);
@@ -153,7 +153,7 @@ TEST(AutoInAStream, NeverUsesARungWhoseErrorIsNotKnown) {
   RungEffects cable;
   for (Wrench& displacement : cable.displacement) displacement.setZero();
   cable.known = {false, false, true, true};
-  EXPECT_EQ(chooseRungs(std::vector<RungEffects>{cable}, 1.0, {}).front(), Model::kCatenaryCorrected);
+  EXPECT_EQ(RungChoice().choose(std::vector<RungEffects>{cable}, 1.0, {}).front(), Model::kCatenaryCorrected);
 }
 
 }  // namespace

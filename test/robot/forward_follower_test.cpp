@@ -83,8 +83,8 @@ std::string nameOf(const testing::TestParamInfo<std::tuple<Workspace, Model>>& i
 INSTANTIATE_TEST_SUITE_P(Shipped, FollowingEveryRung,
                          testing::Combine(testing::ValuesIn(shippedWorkspaces()),
                                           testing::Values(Model::kStraightElastic, Model::kCatenaryInextensible,
-                                                          Model::kCatenary, Model::kBendingInextensible,
-                                                          Model::kBending)),
+                                                          Model::kCatenary, Model::kCatenaryCorrected,
+                                                          Model::kBendingInextensible, Model::kBending)),
                          nameOf);
 
 class Following : public testing::Test {

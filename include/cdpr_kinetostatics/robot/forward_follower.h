@@ -6,6 +6,9 @@
 // asked for, on the branch that continues the last answer. Where that is out of reach (first call, long jump, another
 // branch) solveForward() is called.
 //
+// AUTO keeps the cables' rungs while they are the ones that it would choose, or finer ones that it would not give up
+// (robot/rung_choice.h); a change of a rung is a cold start.
+//
 // A warm solve does not allocate memory. One object per robot and thread; its answers depend on its history, within the
 // tolerance.
 #pragma once
@@ -15,6 +18,7 @@
 
 #include "cdpr_kinetostatics/robot/coupled_newton.h"
 #include "cdpr_kinetostatics/robot/forward.h"
+#include "cdpr_kinetostatics/robot/rung_choice.h"
 
 namespace cdpr_kinetostatics {
 
@@ -46,6 +50,7 @@ class ForwardFollower {
   bool follow(const ForwardRequest& request);
   bool converge(const Wrench& external);
   bool onBranch() const;
+  bool rungsServe();
   void startCold(const ForwardRequest& request);
   bool adopt(const RobotSolution& solution, const Wrench& external);
 
@@ -53,9 +58,13 @@ class ForwardFollower {
   const RobotSolverOptions options_;
   CoupledState state_;
   CoupledNewton newton_;
+  std::vector<Model> rungs_;  // of the cables
+  RungChoice choice_;         // AUTO
+  RobotForces reached_;
   bool can_follow_ = false;
   bool warm_started_ = false;
   int iterations_ = 0;
+  double solve_time_ = 0.0;
   double contraction_ = std::numeric_limits<double>::infinity();  // a step's size over the square of the one before
   int solves_since_measured_ = 0;
   Status status_;

@@ -5,14 +5,10 @@
 // (docs/theory.md section 5). For lengths applied to a robot: inverse solutions are judged by the same number.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <string>
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_solution.h"
-#include "cdpr_kinetostatics/cable/model_error.h"
-#include "cdpr_kinetostatics/robot/basin_search.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
 
@@ -32,29 +28,7 @@ PlatformError platformError(const RobotDescription& robot, const Pose& pose, con
 // radius.
 bool isWithin(const RobotDescription& robot, const RobotSolution& solution, double accuracy);
 
-// Makes each cable's rung one finer where there is a finer one. False if there was none.
-bool refineRungs(std::vector<Model>* rungs);
-
 // "catenary for 6 cables, bending for 2: ...": what AUTO used and what that neglects.
 std::string describeChoice(const RobotSolution& solution);
-
-// Where the error of each rung that AUTO chooses from takes the platform, for one cable: translation [m], and rotation
-// times the platform's radius [m].
-struct RungEffects {
-  std::array<Wrench, kAutoRungCount> displacement;
-  std::array<bool, kAutoRungCount> known;
-};
-
-// Of every cable. state holds the catenaries' forces at a pose near the solution. Empty where the robot has no
-// stiffness.
-std::vector<RungEffects> rungEffects(const RobotDescription& robot, const RobotForces& state);
-
-// AUTO: for each cable the coarsest rung with which the platform's error stays within accuracy [m]. kept, if not empty,
-// are the rungs in use: none is given up for a coarser one that would only just do, so that a stream of poses does not
-// flicker.
-std::vector<Model> chooseRungs(const std::vector<RungEffects>& cables, double accuracy, const std::vector<Model>& kept);
-
-// The same for a robot at a pose near the solution.
-std::vector<Model> chooseRungs(const RobotDescription& robot, const RobotForces& state, double accuracy);
 
 }  // namespace cdpr_kinetostatics

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Moves a robot's platform on paper: pose -> cable lengths -> pose, once per cable model, and prints what it found."""
+"""Moves a robot's platform on paper: pose -> cable lengths -> pose, once per cable model, and prints what it found and
+which models AUTO would take."""
 
 import argparse
 import math
@@ -90,6 +91,9 @@ def run(node, robot):
             f"{name:>17} {position_error:13.2e} m {rotation_error:11.2e} rad "
             f"{1e3 * lengths.report.solve_time:7.2f} ms {1e3 * pose.report.solve_time:7.2f} ms"
         )
+    options = SolverOptions(model=SolverOptions.AUTO, timeout=TIMEOUT)
+    choice = inverse(pose=robot.target, free_orientation=robot.free_orientation, options=options)
+    print(f"\nAUTO: {report_of('inverse_kinetostatics (auto)', choice.report).message}")
     print("\nCables, by the bending model; the last column is what the catenary misses")
     print(f"\n{'cable':>12} {'length':>12} {'tension A':>12} {'tension B':>12} {'sag':>11} {'':>10} {'length - catenary':>18}")
     for cable, catenary in zip(answers["bending"], answers["catenary"]):

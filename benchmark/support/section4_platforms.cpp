@@ -76,7 +76,7 @@ void write(const Case& each, double first, Model model, const Point& point, std:
     std::vector<double> tensions = tensionsOf(solution);
     const auto pushes = [](const CableResult& result) { return result.condition == Condition::kCompressed; };
     *csv << p.x() << ',' << p.y() << ',' << p.z() << ','
-         << angleBetween(solution.pose.orientation, Eigen::Quaterniond::Identity()) << ','
+         << solution.pose.orientation.angularDistance(Eigen::Quaterniond::Identity()) << ','
          << *std::min_element(tensions.begin(), tensions.end()) << ','
          << *std::max_element(tensions.begin(), tensions.end()) << ','
          << std::count_if(solution.cables.begin(), solution.cables.end(), pushes);

@@ -15,16 +15,6 @@ RobotSolverOptions optionsOf(const RigParameters& parameters, Model model) {
   return options;
 }
 
-RigTruth truthOf(const RobotSolution& solution) {
-  RigTruth truth;
-  truth.pose = solution.pose;
-  for (const CableResult& cable : solution.cables) {
-    truth.lengths.push_back(cable.cable.length);
-    truth.tensions.push_back(cable.cable.tension_a);
-  }
-  return truth;
-}
-
 }  // namespace
 
 Status solveRig(const RigParameters& parameters, const Pose& pose, const Wrench& load, Model model, RigTruth* truth) {
@@ -34,7 +24,7 @@ Status solveRig(const RigParameters& parameters, const Pose& pose, const Wrench&
   request.free_orientation = robot.type == PlatformType::kRigidBody && robot.cables.size() < 6;
   request.external_wrench = load;
   const RobotSolution solution = solveInverse(robot, request, optionsOf(parameters, model));
-  *truth = truthOf(solution);
+  *truth = {solution.pose, lengthsOf(solution), tensionsOf(solution)};
   return solution.report.status;
 }
 
@@ -44,7 +34,7 @@ Status disturbRig(const RigParameters& parameters, const Wrench& load, RigTruth*
   request.external_wrench = load;
   request.seed = truth->pose;
   const RobotSolution solution = solveForward(parameters.robot, request, optionsOf(parameters, parameters.model));
-  *truth = truthOf(solution);
+  *truth = {solution.pose, lengthsOf(solution), tensionsOf(solution)};
   return solution.report.status;
 }
 

@@ -28,7 +28,7 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
 
 Errors errorsBetween(const RobotSolution& found, const RobotSolution& reference) {
   return {(found.pose.position - reference.pose.position).norm(),
-          angleBetween(found.pose.orientation, reference.pose.orientation),
+          found.pose.orientation.angularDistance(reference.pose.orientation),
           largestDifference(tensionsOf(found), tensionsOf(reference))};
 }
 

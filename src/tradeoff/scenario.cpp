@@ -62,23 +62,6 @@ RobotSolverOptions referenceOptions() {
   return options;
 }
 
-std::vector<double> lengthsOf(const RobotSolution& solution) {
-  std::vector<double> lengths;
-  for (const CableResult& result : solution.cables) lengths.push_back(result.cable.length);
-  return lengths;
-}
-
-std::vector<double> tensionsOf(const RobotSolution& solution) {
-  std::vector<double> tensions;
-  for (const CableResult& result : solution.cables) tensions.push_back(result.cable.tension_a);
-  return tensions;
-}
-
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  const Eigen::Quaterniond turn = a.conjugate() * b;
-  return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
-}
-
 std::vector<Scenario> scenariosFor(const RobotDescription& robot, int count) {
   std::vector<Eigen::Vector3d> positions;
   for (const double share : kSharesOfSpan) {

@@ -18,12 +18,6 @@ struct Scenario {
   RobotSolution previous;   // the same 10 mm before, on the way from home
 };
 
-std::vector<double> lengthsOf(const RobotSolution& solution);
-std::vector<double> tensionsOf(const RobotSolution& solution);
-
-// Rotation that takes one attitude into the other [rad].
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
-
 // At most count poses around home that the cables can hold, as far out as 5 % of the robot's span. Throws
 // std::runtime_error, with a reason, if there is none.
 std::vector<Scenario> scenariosFor(const RobotDescription& robot, int count);

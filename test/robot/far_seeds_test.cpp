@@ -56,7 +56,7 @@ TEST_P(FarSeed, LeadsToTheRightPose) {
     } else {
       std::cout << "solve " << solved << ": another equilibrium, "
                 << (forward.pose.position - inverse.pose.position).norm() << " m and "
-                << angleBetween(forward.pose.orientation, inverse.pose.orientation) << " rad away\n";
+                << forward.pose.orientation.angularDistance(inverse.pose.orientation) << " rad away\n";
     }
   }
   std::cout << GetParam().robot << ", " << modelName(GetParam().model) << ": right pose in " << right << " of "

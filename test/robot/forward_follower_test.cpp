@@ -53,7 +53,7 @@ class FollowingEveryRung : public testing::TestWithParam<std::tuple<Workspace, M
       warm += follower.warmStarted() ? 1 : 0;
       const RobotSolution followed = follower.solution();
       EXPECT_LT((followed.pose.position - cold.pose.position).norm(), kTolerance * robot_.span());
-      EXPECT_LT(angleBetween(followed.pose.orientation, cold.pose.orientation), 10.0 * kTolerance);
+      EXPECT_LT(followed.pose.orientation.angularDistance(cold.pose.orientation), 10.0 * kTolerance);
       for (std::size_t i = 0; i < cold.cables.size(); ++i) {
         const double tension = cold.cables[i].cable.tension_a;
         EXPECT_NEAR(followed.cables[i].cable.tension_a, tension, 2.0 * kTolerance * tension + 1e-9 * robot_.weight());

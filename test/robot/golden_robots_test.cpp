@@ -33,7 +33,7 @@ class GoldenRobots : public testing::TestWithParam<std::tuple<GoldenRobot, Model
   void expectReference(const RobotSolution& solution) const {
     ASSERT_TRUE(solution.report.status.ok()) << solution.report.status.message;
     EXPECT_LT((solution.pose.position - golden().pose.position).norm(), kPoseTolerance);
-    EXPECT_LT(angleBetween(solution.pose.orientation, golden().pose.orientation), kPoseTolerance);
+    EXPECT_LT(solution.pose.orientation.angularDistance(golden().pose.orientation), kPoseTolerance);
     expectForces(solution);
   }
 

@@ -139,7 +139,7 @@ class InverseOptimality : public testing::TestWithParam<Case> {
       EXPECT_LT(a.above_limit, 1e-8);
       EXPECT_EQ(solution.pose.position, request.pose.position);
       EXPECT_TRUE(request.free_orientation ||
-                  angleBetween(solution.pose.orientation, request.pose.orientation) < 1e-12);
+                  solution.pose.orientation.angularDistance(request.pose.orientation) < 1e-12);
       expectOptimal(robot_, request, solution, GetParam().model, &at_limits);
     }
     EXPECT_EQ(done, poses) << "feasible poses";
@@ -176,7 +176,7 @@ TEST_P(InverseOptimality, DoesNotDependOnTheSeedOfTheAttitude) {
     request.pose.orientation = Eigen::AngleAxisd(0.2, dice.direction());
     const RobotSolution turned = solveInverse(robot_, request, patient(GetParam().model));
     ASSERT_TRUE(turned.report.status.ok()) << turned.report.status.message;
-    EXPECT_LT(angleBetween(turned.pose.orientation, level.pose.orientation), 1e-6) << "seed " << i;
+    EXPECT_LT(turned.pose.orientation.angularDistance(level.pose.orientation), 1e-6) << "seed " << i;
   }
 }
 

@@ -98,7 +98,7 @@ TEST_P(Loads, AnswersDoNotDependOnWhereTheWorldIs) {
   const RobotSolution b = forward(moved, lengths, turned, moved.home);
   ASSERT_TRUE(a.report.status.ok() && b.report.status.ok());
   EXPECT_LT((b.pose.position - (turn * a.pose.position + shift)).norm(), 1e-8);
-  EXPECT_LT(angleBetween(b.pose.orientation, turn * a.pose.orientation), 1e-8);
+  EXPECT_LT(b.pose.orientation.angularDistance(turn * a.pose.orientation), 1e-8);
 }
 
 TEST_P(Loads, TheSeedDoesNotChangeTheAnswerOfARedundantRobot) {

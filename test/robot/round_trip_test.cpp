@@ -80,7 +80,7 @@ TEST_P(RoundTrip, ForwardOfInverseIsThePose) {
     if (!samePose(forward.pose, inverse.pose, kPoseTolerance)) {
       ++elsewhere;
       std::cout << "another equilibrium, " << (forward.pose.position - inverse.pose.position).norm() << " m and "
-                << angleBetween(forward.pose.orientation, inverse.pose.orientation) << " rad from pose " << tried
+                << forward.pose.orientation.angularDistance(inverse.pose.orientation) << " rad from pose " << tried
                 << "\n";
     }
   }

@@ -37,7 +37,7 @@ Difference differenceOf(const RobotDescription& robot, const RobotSolution& own,
   EXPECT_EQ(own.cables.size(), other.cables.size());
   if (!own.report.status.ok() || !other.report.status.ok()) return d;
   d.pose = std::max((own.pose.position - other.pose.position / scale.length).norm() / robot.span(),
-                    angleBetween(own.pose.orientation, other.pose.orientation));
+                    own.pose.orientation.angularDistance(other.pose.orientation));
   double largest = 0.0;
   for (const double tension : tensionsOf(own)) largest = std::max(largest, tension);
   for (std::size_t i = 0; i < own.cables.size(); ++i) {

@@ -87,25 +87,8 @@ InverseRequest requestFor(const RobotDescription& robot, const Pose& pose) {
   return request;
 }
 
-std::vector<double> lengthsOf(const RobotSolution& solution) {
-  std::vector<double> lengths;
-  for (const CableResult& result : solution.cables) lengths.push_back(result.cable.length);
-  return lengths;
-}
-
-std::vector<double> tensionsOf(const RobotSolution& solution) {
-  std::vector<double> tensions;
-  for (const CableResult& result : solution.cables) tensions.push_back(result.cable.tension_a);
-  return tensions;
-}
-
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  const Eigen::Quaterniond turn = a.conjugate() * b;
-  return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
-}
-
 bool samePose(const Pose& a, const Pose& b, double tolerance) {
-  return (a.position - b.position).norm() < tolerance && angleBetween(a.orientation, b.orientation) < tolerance;
+  return (a.position - b.position).norm() < tolerance && a.orientation.angularDistance(b.orientation) < tolerance;
 }
 
 bool isFinite(const RobotSolution& solution) {

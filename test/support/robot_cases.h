@@ -49,12 +49,6 @@ RobotSolverOptions patient(Model model, double tolerance = 1e-8);
 // The pose as a request; fewer cables than freedoms of a rigid body leave the attitude to equilibrium.
 InverseRequest requestFor(const RobotDescription& robot, const Pose& pose);
 
-std::vector<double> lengthsOf(const RobotSolution& solution);
-std::vector<double> tensionsOf(const RobotSolution& solution);
-
-// Rotation that takes one attitude into the other [rad].
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
-
 // Position and rotation within tolerance [m], [rad].
 bool samePose(const Pose& a, const Pose& b, double tolerance);
 

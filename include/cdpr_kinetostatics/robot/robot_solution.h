@@ -61,4 +61,8 @@ struct RobotSolution {
   Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
+// One number per cable, in the robot's order.
+std::vector<double> lengthsOf(const RobotSolution& solution);   // unstrained [m]
+std::vector<double> tensionsOf(const RobotSolution& solution);  // at A [N]
+
 }  // namespace cdpr_kinetostatics

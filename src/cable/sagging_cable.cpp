@@ -88,7 +88,7 @@ void SaggingCable::follow(const Eigen::Vector3d& change) {
 
 bool SaggingCable::stepsFit() { return !bends() || shooting_.stepsFit(); }
 
-bool SaggingCable::onBranch() const { return bends() ? onSaggingBranch(shooting_) : forces_.horizontal >= 0.0; }
+bool SaggingCable::onBranch() const { return bends() ? onSaggingBranch(shooting_) : !pushes(); }
 
 double SaggingCable::tensionA() const { return std::hypot(forces_.horizontal, forces_.vertical); }
 

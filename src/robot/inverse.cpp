@@ -359,7 +359,7 @@ Status InverseSolve::iterate(double tolerance) {
 Status InverseSolve::checkBranches() const {
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     const SaggingCable& cable = cables_[i].cable;
-    if (cable.horizontalForce() < 0.0 && robot_.cables[i].tension_min > 0.0) {
+    if (cable.pushes() && robot_.cables[i].tension_min > 0.0) {
       return {Code::kInfeasible,
               "cable '" + robot_.cables[i].name + "' would be in compression, which its tension_min forbids"};
     }

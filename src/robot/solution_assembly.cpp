@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "cdpr_kinetostatics/cable/catenary.h"
 #include "cdpr_kinetostatics/robot/modelling_effect.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 
@@ -21,7 +22,7 @@ Status invalid(const std::string& message) { return {Code::kInvalidInput, messag
 }  // namespace
 
 Condition conditionOf(const CableSolution& cable, double tension_min) {
-  if (cable.horizontal_force < 0.0) return Condition::kCompressed;
+  if (ForcesAtA{cable.horizontal_force, cable.vertical_force_a}.push()) return Condition::kCompressed;
   const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.w) ||
                      cable.tension_a < tension_min * (1.0 - kLimitTolerance);
   return slack ? Condition::kSlack : Condition::kTaut;

@@ -14,7 +14,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kMaxIterations = 500;
 
-// Strain of the softest springs under the platform's weight, and how much stiffer the next ones are.
+// Strain of the softest springs under the load, and how much stiffer the next ones are.
 constexpr double kSoftStrain = 0.01;
 constexpr double kStiffening = 10.0;
 constexpr double kSoftTolerance = 1e-3;
@@ -72,7 +72,8 @@ Status SpringPlatform::descend(const std::vector<Spring>& springs, double tolera
   if (external_ != nullptr) {
     double stiffest = 0.0;
     for (const Spring& spring : springs) stiffest = std::max(stiffest, spring.stiffness * spring.length);
-    for (double soft = robot_.weight() / kSoftStrain; soft < stiffest; soft *= kStiffening) {
+    const double load = std::max(robot_.weight(), external_->head<3>().norm());
+    for (double soft = load / kSoftStrain; soft < stiffest; soft *= kStiffening) {
       std::vector<Spring> softened = springs;
       for (Spring& spring : softened) spring.stiffness = std::min(spring.stiffness, soft / spring.length);
       const Status status = newton(softened, std::max(tolerance, kSoftTolerance), deadline, pose, iterations);

@@ -68,7 +68,7 @@ RobotAudit audit(const RobotDescription& robot, const Wrench& external, const Ro
     Eigen::Vector2d end;
     CableProperties seen = description.properties;
     if (isInextensible(cable.model)) seen.axial_stiffness = std::numeric_limits<double>::infinity();
-    if (isCatenary(cable.model)) {
+    if (isCatenary(cable.model) && cable.model != Model::kCatenaryCorrected) {
       end = textbookCatenaryEnd(seen, forces.back());
     } else {
       CableSolverOptions options;

@@ -33,7 +33,7 @@ struct RobotAudit {
   double above_limit = 0.0;
 };
 
-// closure: catenaries by the textbook formula, bending cables by problem 1 of the single cable.
+// closure: catenaries by the textbook formula, the other rungs by problem 1 of the single cable.
 RobotAudit audit(const RobotDescription& robot, const Wrench& external, const RobotSolution& solution);
 
 // For a solution with profiles: every profile point of every bending cable is integrated, by classical

@@ -4,6 +4,7 @@
 // An infinite axial stiffness gives the inextensible catenary. EI is not looked at.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "cdpr_kinetostatics/cable/cable_properties.h"
@@ -14,6 +15,9 @@ namespace cdpr_kinetostatics {
 struct ForcesAtA {
   double horizontal = 0.0;  // H [N]
   double vertical = 0.0;    // V [N]
+
+  // H < 0, by more than the rounding of a vertical cable's.
+  bool push() const { return horizontal < -1e-12 * std::abs(vertical); }
 };
 
 // Needs T > 0 along the cable: not (H = 0 and 0 <= V <= q L).

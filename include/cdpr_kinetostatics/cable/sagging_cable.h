@@ -45,6 +45,7 @@ class SaggingCable {
 
   // True if the equilibrium is the sagging, stable one.
   bool onBranch() const;
+  bool pushes() const { return forces_.push(); }
 
   double horizontalForce() const { return forces_.horizontal; }
   double verticalForceA() const { return forces_.vertical; }

@@ -25,7 +25,7 @@ constexpr Model kModels[] = {Model::kCatenary, Model::kAuto, Model::kBending};
 bool isBack(const RobotDescription& robot, const RobotSolverOptions& options, const Pose& a, const Pose& b) {
   const double allowed = kPoseTolerance * robot.span() + (options.model == Model::kAuto ? 2.0 * options.accuracy : 0.0);
   return (a.position - b.position).norm() < allowed &&
-         angleBetween(a.orientation, b.orientation) * std::min(robot.span(), robot.platformRadius()) < allowed;
+         a.orientation.angularDistance(b.orientation) * std::min(robot.span(), robot.platformRadius()) < allowed;
 }
 
 void expectEquilibrium(const RobotDescription& robot, const Wrench& external, const RobotSolution& solution) {
@@ -52,7 +52,7 @@ void expectAccurate(const RobotDescription& robot, const Wrench& external, const
   exact.model = Model::kBending;
   const RobotSolution bending = solveForward(robot, request, exact);
   ASSERT_TRUE(bending.report.status.ok()) << bending.report.status.message;
-  const double turned = angleBetween(bending.pose.orientation, solution.pose.orientation) * robot.platformRadius();
+  const double turned = bending.pose.orientation.angularDistance(solution.pose.orientation) * robot.platformRadius();
   EXPECT_LT(std::max((bending.pose.position - solution.pose.position).norm(), turned), options.accuracy)
       << solution.report.status.message;
 }

@@ -1,5 +1,6 @@
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -15,6 +16,10 @@ constexpr double kRank = 1e-10;
 
 // Accepted violation of a limit, relative to the scaled variables' size.
 constexpr double kLimitTolerance = 1e-12;
+
+// And in the matrix times its transpose, where the shares are squared, for a solution as exact as that by singular
+// values.
+constexpr double kRankOfSquare = 1e-8;
 
 // Weight of the tensions' norm beside that of the imbalance, both relative.
 constexpr double kLeastNorm = 1e-8;
@@ -61,6 +66,47 @@ TensionDistribution distributeTensions(const TensionProblem& problem) {
     const int i = cable[constraint];
     (i >= 0 ? distribution.at_lower : distribution.at_upper).push_back(i >= 0 ? i : -1 - i);
   }
+  return distribution;
+}
+
+// Free tensions are preferred + matrix^T multipliers/weight^2, the others their limits.
+std::optional<TensionDistribution> distributeAtLimits(const TensionProblem& problem, const std::vector<int>& at_lower,
+                                                      const std::vector<int>& at_upper) {
+  TensionDistribution distribution;
+  Eigen::VectorXd& tensions = distribution.tensions;
+  tensions = problem.preferred;
+  Eigen::VectorXd compliance = problem.weight.cwiseAbs2().cwiseInverse();
+  for (const int i : at_lower) tensions(i) = problem.lower(i);
+  for (const int i : at_upper) tensions(i) = problem.upper(i);
+  for (const std::vector<int>* limits : {&at_lower, &at_upper}) {
+    for (const int i : *limits) compliance(i) = 0.0;
+  }
+  const Eigen::MatrixXd compliant = problem.matrix * compliance.asDiagonal();
+  const Eigen::LLT<Eigen::MatrixXd> factor(compliant * problem.matrix.transpose());
+  if (factor.info() != Eigen::Success || !(factor.rcond() > kRankOfSquare)) return std::nullopt;
+  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(problem.wrench.size());
+  for (int refinement = 0; refinement < 2; ++refinement) {
+    const Eigen::VectorXd correction = factor.solve(problem.wrench - problem.matrix * tensions);
+    tensions += compliant.transpose() * correction;
+    multipliers += correction;
+  }
+
+  if (!((tensions - problem.lower).minCoeff() >= 0.0 && (problem.upper - tensions).minCoeff() >= 0.0)) {
+    return std::nullopt;
+  }
+  // What a limit takes up must push inwards.
+  const Eigen::VectorXd pushes =
+      problem.weight.cwiseAbs2().cwiseProduct(tensions - problem.preferred) - problem.matrix.transpose() * multipliers;
+  const auto pushes_out = [&](int i, double sign) { return !(sign * pushes(i) >= 0.0); };
+  for (const int i : at_lower) {
+    if (pushes_out(i, 1.0)) return std::nullopt;
+  }
+  for (const int i : at_upper) {
+    if (pushes_out(i, -1.0)) return std::nullopt;
+  }
+  distribution.feasible = true;
+  distribution.at_lower = at_lower;
+  distribution.at_upper = at_upper;
   return distribution;
 }
 

@@ -72,6 +72,36 @@ TEST_P(Distribution, BalancesWithinLimitsAndIsOptimal) {
   EXPECT_TRUE(GetParam().second <= GetParam().first || limited > 20) << limited;
 }
 
+TEST_P(Distribution, IsTheSameFromTheRightLimits) {
+  Dice dice(56);
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    const TensionProblem p = randomProblem(GetParam().first, GetParam().second, &dice);
+    const TensionDistribution d = distributeTensions(p);
+    const auto same = distributeAtLimits(p, d.at_lower, d.at_upper);
+    if (!same) continue;
+    ++found;
+    EXPECT_TRUE(same->feasible);
+    EXPECT_EQ(same->at_lower, d.at_lower);
+    EXPECT_EQ(same->at_upper, d.at_upper);
+    EXPECT_LT((same->tensions - d.tensions).norm(), 1e-9 * d.tensions.norm()) << "problem " << i;
+  }
+  EXPECT_TRUE(found > 150 || GetParam().second <= GetParam().first) << found;
+}
+
+TEST_P(Distribution, OtherLimitsAreNoAnswer) {
+  Dice dice(57);
+  for (int i = 0; i < 200; ++i) {
+    const TensionProblem p = randomProblem(GetParam().first, GetParam().second, &dice);
+    const TensionDistribution d = distributeTensions(p);
+    for (int guess = 0; guess < GetParam().second; ++guess) {
+      EXPECT_TRUE(d.at_lower == std::vector<int>{guess} || !distributeAtLimits(p, {guess}, {})) << i;
+      EXPECT_TRUE(d.at_upper == std::vector<int>{guess} || !distributeAtLimits(p, {}, {guess})) << i;
+    }
+    EXPECT_TRUE((d.at_lower.empty() && d.at_upper.empty()) || !distributeAtLimits(p, {}, {})) << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Distribution,
                          testing::Values(std::make_pair(6, 8), std::make_pair(6, 7), std::make_pair(6, 6),
                                          std::make_pair(3, 4), std::make_pair(3, 8), std::make_pair(3, 2)));
@@ -95,6 +125,14 @@ TEST(TensionDistribution, RankDeficientMatrixBalancesWhatItCan) {
     EXPECT_NEAR(d.imbalance, 7.0, 1e-9);
     EXPECT_NEAR((p.matrix * d.tensions - p.wrench).norm(), 7.0, 1e-9);
   }
+}
+
+TEST(TensionDistribution, RankDeficientMatrixIsNotSolvedAtLimits) {
+  Dice dice(58);
+  TensionProblem p = randomProblem(6, 8, &dice);
+  p.matrix.row(5) = p.matrix.row(4);
+  p.wrench(5) = p.wrench(4);
+  EXPECT_FALSE(distributeAtLimits(p, {}, {}));
 }
 
 TEST(TensionDistribution, InfiniteLimitsDoNotLimit) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace cdpr_kinetostatics {
@@ -25,6 +26,11 @@ struct TensionDistribution {
 };
 
 TensionDistribution distributeTensions(const TensionProblem& problem);
+
+// The same by one linear system if exactly these limits are the ones reached, as in a problem that changes little from
+// one to the next. Nothing if they are not, or if the tensions cannot act in every direction.
+std::optional<TensionDistribution> distributeAtLimits(const TensionProblem& problem, const std::vector<int>& at_lower,
+                                                      const std::vector<int>& at_upper);
 
 // Non-negative tensions that balance the wrench as well as possible, of least norm among those.
 Eigen::VectorXd nonNegativeTensions(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& wrench);

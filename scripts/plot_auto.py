@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws whether AUTO keeps to the accuracy asked for, and writes the table of docs/models.md.
 
-    scripts/plot_auto.py                   runs the workspace's auto_honesty (some minutes), then draws
+    scripts/plot_auto.py                   runs the workspace's auto_honesty (a minute or two), then draws
     scripts/plot_auto.py --scenes 1500     the same with fewer answers
     scripts/plot_auto.py auto.csv          draws what auto_honesty --csv auto.csv has measured
 

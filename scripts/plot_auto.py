@@ -117,8 +117,8 @@ def table_row(name, answers):
 
 def table(answers):
     lines = [
-        "| answers | number | refused | within the accuracy | largest error / accuracy | estimated | estimate / truth within 2 "
-        "| within 5 |",
+        "| answers | number | refused | within the accuracy | largest error / accuracy | estimated "
+        "| estimate / truth within 2 | within 5 |",
         "|---|---|---|---|---|---|---|---|",
         table_row("all", answers),
     ]

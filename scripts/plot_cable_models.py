@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws what bending does to one cable, by the ~solve_cable service: shapes, and the tension over the length.
 
     roslaunch cdpr_kinetostatics kinetostatics.launch

@@ -9,6 +9,7 @@
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "cdpr_kinetostatics/robot/rung_choice.h"
 #include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "cdpr_kinetostatics/robot/stiffening.h"
 #include "cdpr_kinetostatics/robot/straight_forward.h"
 
 namespace cdpr_kinetostatics {
@@ -50,6 +51,7 @@ class ForwardSolve {
     }
     Status status = roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
+    const Pose rough = start.pose;
     status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
                          &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
@@ -65,11 +67,7 @@ class ForwardSolve {
       rungs_.assign(rungs_.size(), Model::kBending);
       status = refine(start);
     }
-    if (status.code == Code::kNotConverged && isBending(rungs_.front())) {
-      status = searchBasin(robot_, request_.external_wrench, rungs_.front(), options_.tolerance, deadline_, &start,
-                           &iterations_);
-      if (status.ok()) status = refine(start);
-    }
+    if (status.code == Code::kNotConverged && isBending(rungs_.front())) status = stiffenFrom(rough);
     if (!status.ok()) return refusedRobot(options_.model, status);
     return solution();
   }
@@ -118,6 +116,14 @@ class ForwardSolve {
       return {Code::kWrongBranch,
               "the platform's pose found is an unstable equilibrium: start from a seed nearer to the expected pose"};
     }
+    return outcome_.status;
+  }
+
+  Status stiffenFrom(const Pose& pose) {
+    state_.pose = pose;
+    outcome_ =
+        stiffen(robot_, request_.external_wrench, request_.lengths, rungs_, {options_.tolerance, deadline_}, &state_);
+    iterations_ += outcome_.iterations;
     return outcome_.status;
   }
 

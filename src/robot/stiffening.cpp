@@ -1,0 +1,90 @@
+#include "cdpr_kinetostatics/robot/stiffening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// Strain of the softest cables under the load, how much stiffer the next ones are, and the least that they may be.
+constexpr double kSoftStrain = 0.01;
+constexpr double kStiffening = 10.0;
+constexpr double kLeastStiffening = 1.05;
+
+// Cables of at most this axial stiffness [N]; an infinite one asks for the real ones.
+RobotDescription softened(const RobotDescription& robot, double axial_stiffness) {
+  RobotDescription soft = robot;
+  for (CableDescription& cable : soft.cables) {
+    cable.properties.axial_stiffness = std::min(cable.properties.axial_stiffness, axial_stiffness);
+  }
+  return soft;
+}
+
+// Where the ends are, each cable in its own equilibrium; false where one has none.
+bool startCables(const RobotDescription& robot, const std::vector<double>& lengths, const std::vector<Model>& rungs,
+                 const CoupledOptions& options, CoupledState* state) {
+  std::vector<SaggingCable> cables;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    SaggingCable cable(robot.cables[i].properties, rungs[i], options.tolerance);
+    const CableLine line = cableLine(robot.cables[i], state->pose);
+    if (!cable.startBetween(lengths[i], line.x, line.w, {options.tolerance, options.deadline}).ok()) {
+      if (state->cables.empty()) return false;
+      const SaggingCable& last = state->cables[i];
+      cable.start(lengths[i], {last.horizontalForce(), last.verticalForceA()});
+    }
+    cables.push_back(std::move(cable));
+  }
+  state->cables = std::move(cables);
+  return true;
+}
+
+bool isOnBranch(const RobotDescription& robot, const CoupledOutcome& outcome, const CoupledState& state) {
+  return outcome.status.ok() && isStable(robot, outcome.stiffness) &&
+         std::all_of(state.cables.begin(), state.cables.end(),
+                     [](const SaggingCable& cable) { return cable.onBranch(); });
+}
+
+}  // namespace
+
+CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                       const std::vector<Model>& rungs, const CoupledOptions& options, CoupledState* state) {
+  constexpr double kReal = std::numeric_limits<double>::infinity();
+  double stiffest = 0.0;
+  for (const CableDescription& cable : robot.cables) stiffest = std::max(stiffest, cable.properties.axial_stiffness);
+  const std::vector<Model> extensible(rungs.size(), Model::kBending);
+  double reached = 0.0;
+  double next = std::max(robot.weight(), external.head<3>().norm()) / kSoftStrain;
+  double factor = kStiffening;
+  int iterations = 0;
+  state->cables.clear();
+  for (;;) {
+    const bool real = next >= stiffest;
+    const RobotDescription soft = softened(robot, real ? kReal : next);
+    CoupledState there = *state;
+    CoupledOutcome outcome;
+    if (startCables(soft, lengths, real ? rungs : extensible, options, &there)) {
+      outcome = solveCoupled(soft, external, options, &there);
+    }
+    iterations += outcome.iterations;
+    const bool on_branch = isOnBranch(soft, outcome, there);
+    if (on_branch) {
+      *state = std::move(there);
+      reached = next;
+    } else {
+      factor = std::sqrt(factor);
+    }
+    const bool stuck = reached == 0.0 || factor < kLeastStiffening;
+    if (on_branch ? real : stuck || outcome.status.code == Code::kTimedOut) {
+      outcome.iterations = iterations;
+      if (outcome.status.ok() && !on_branch) {
+        outcome.status = {Code::kNotConverged,
+                          "no stable pose was found at which cables of these lengths balance the load"};
+      }
+      return outcome;
+    }
+    next = factor * reached;
+  }
+}
+
+}  // namespace cdpr_kinetostatics

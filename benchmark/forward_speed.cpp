@@ -1,5 +1,5 @@
-// How fast is a robot's warm forward solve? Measured in units that do not depend on the machine: one bare RK45 pass
-// along the same cables, and one Ceres solve of the same size whose residuals cost nothing (docs/performance.md).
+// How fast is a robot's warm forward solve by BENDING? Measured in a unit that does not depend on the machine: one bare
+// RK45 pass along the same cables (docs/performance.md).
 //
 //     forward_speed [--quick] [--csv FILE]
 //
@@ -18,35 +18,20 @@
 #include "robot_cases.h"
 #include "support/bare_integration.h"
 #include "support/benchmark_report.h"
-#include "support/ceres_yardstick.h"
 #include "support/timing.h"
+#include "support/workspace_path.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
 constexpr double kTolerance = 1e-8;
-constexpr double kStep = 0.01;  // of the path [m]
-constexpr double kShareOfWorkspace = 0.4;
 constexpr double kNodeSpacing = 3.0;  // bending layers between restarts of the bare pass
-constexpr int kYardstickIterations = 3;
 
 struct PathPoint {
   ForwardRequest request;
   Pose pose;
   std::vector<KnownCable> cables;
 };
-
-// A circle that rises and falls, traversed once or more often.
-Pose poseOnPath(const Workspace& workspace, double distance) {
-  const Eigen::Vector3d half = kShareOfWorkspace * 0.5 * (workspace.high - workspace.low);
-  const double radius = half.y() > 0.0 ? std::min(half.x(), half.y()) : half.x();
-  const double angle = distance / radius;
-  Pose pose;
-  pose.position = 0.5 * (workspace.low + workspace.high);
-  pose.position += Eigen::Vector3d(radius * std::cos(angle), half.y() > 0.0 ? radius * std::sin(angle) : 0.0,
-                                   0.3 * std::min(radius, half.z()) * std::sin(2.0 * angle));
-  return pose;
-}
 
 KnownCable known(const CableDescription& description, const CableSolution& cable, const CableSolverOptions& options) {
   KnownCable result{description.properties, cable.length, cable.horizontal_force, cable.vertical_force_a, {}};
@@ -59,7 +44,7 @@ KnownCable known(const CableDescription& description, const CableSolution& cable
 std::vector<PathPoint> pathOf(const RobotDescription& robot, const Workspace& workspace, int steps) {
   std::vector<PathPoint> path;
   for (int i = 0; i <= steps; ++i) {
-    const Pose pose = poseOnPath(workspace, kStep * i);
+    const Pose pose = poseOnPath(workspace, kPathStep * i);
     const RobotSolution solution = solveInverse(robot, requestFor(robot, pose), patient(Model::kBending, kTolerance));
     if (!solution.report.status.ok()) {
       throw std::runtime_error(robot.name + ": the path leaves the workspace: " + solution.report.status.message);
@@ -82,7 +67,6 @@ struct Row {
   double layers_low = 0.0, layers_high = 0.0;  // kappa L
   double warm = 0.0;                           // [s], medians
   double bare = 0.0;
-  double yardstick = 0.0;
   double warm_starts = 0.0;     // share
   double linearisations = 0.0;  // of a solve, mean
   double bare_steps = 0.0;      // per pass, mean
@@ -93,14 +77,13 @@ struct Row {
 Row measure(const std::string& name, int steps) {
   const RobotDescription robot = shippedRobot(ROBOT_DIR, name);
   const std::vector<PathPoint> path = pathOf(robot, workspaceOf(name), steps);
-  CeresYardstick yardstick(static_cast<int>(robot.cables.size()), kYardstickIterations);
   ForwardFollower follower(robot, patient(Model::kBending, kTolerance));
   follower.solve(path.front().request);
 
   Row row;
   row.robot = name;
   row.layers_low = std::numeric_limits<double>::infinity();
-  std::vector<double> warm, bare, ceres;
+  std::vector<double> warm, bare;
   for (std::size_t i = 1; i < path.size(); ++i) {
     double begin = now();
     const Status& status = follower.solve(path[i].request);
@@ -122,14 +105,9 @@ Row measure(const std::string& name, int steps) {
       row.layers_low = std::min(row.layers_low, layersOf(cable));
       row.layers_high = std::max(row.layers_high, layersOf(cable));
     }
-
-    begin = now();
-    keep(yardstick.solve());
-    ceres.push_back(now() - begin);
   }
   row.warm = quantile(warm, 0.5);
   row.bare = quantile(bare, 0.5);
-  row.yardstick = quantile(ceres, 0.5);
   return row;
 }
 
@@ -151,7 +129,6 @@ void add(const Row& row, double target, BenchmarkReport* report) {
   report->figure(1, named("largest kappa L"), row.layers_high, "");
   report->figure(1, named("largest difference of forward and inverse"), row.pose_error, "m");
   report->figure(1, named("largest error of the bare pass, relative"), row.bare_error, "");
-  report->figure(2, named("Ceres DENSE_QR, same size, free evaluations"), 1e6 * row.yardstick, "us");
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr int kMaxIterations = 50;
-
 // Farthest that the platform moves in one iteration: a share of the robot's span, and an angle.
 constexpr double kMaxShareOfSpan = 0.05;
 constexpr double kMaxRotation = 0.2;  // [rad]
@@ -212,7 +210,7 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
   CoupledNewton newton(robot);
   bool adapt = true;
   double last_size = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMaxIterations; ++i) {
+  for (int i = 0; i < options.max_iterations; ++i) {
     if (std::chrono::steady_clock::now() > options.deadline) {
       outcome.status = {Code::kTimedOut, "the time allowed ran out while the platform's pose was refined"};
       return outcome;

@@ -1,8 +1,11 @@
 #include "cdpr_kinetostatics/robot/forward.h"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
+#include "cdpr_kinetostatics/cable/cable_evaluation.h"
+#include "cdpr_kinetostatics/cable/catenary.h"
 #include "cdpr_kinetostatics/robot/basin_search.h"
 #include "cdpr_kinetostatics/robot/coupled_newton.h"
 #include "cdpr_kinetostatics/robot/modelling_effect.h"
@@ -19,6 +22,11 @@ using Clock = std::chrono::steady_clock;
 
 // Beyond this excess of length over chord a bending cable's shape is found by its own problem 2.
 constexpr double kOwnShapeExcess = 1.02;
+
+// The search from a seed is left out where Newton's method takes no longer than this and the pose moves no farther.
+constexpr int kNearbyIterations = 10;
+constexpr double kNearbyShareOfSpan = 0.05;
+constexpr double kNearbyAngle = 0.2;  // [rad]
 
 Status checkLengths(const RobotDescription& robot, const std::vector<double>& lengths) {
   std::ostringstream text;
@@ -52,9 +60,11 @@ class ForwardSolve {
     Status status = roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
     const Pose rough = start.pose;
-    status = searchBasin(robot_, request_.external_wrench, startingRung(options_.model), options_.tolerance, deadline_,
-                         &start, &iterations_);
-    if (!status.ok()) return refusedRobot(options_.model, status);
+    const Model rung = startingRung(options_.model);
+    if (!skipSearch(rung, &start)) {
+      status = searchBasin(robot_, request_.external_wrench, rung, options_.tolerance, deadline_, &start, &iterations_);
+      if (!status.ok()) return refusedRobot(options_.model, status);
+    }
     rungs_ = choose ? RungChoice().choose(robot_, start, options_.accuracy, {})
                     : std::vector<Model>(robot_.cables.size(), options_.model);
     status = refine(start);
@@ -81,6 +91,25 @@ class ForwardSolve {
     return lines;
   }
 
+  // Newton's method straight from the springs' pose: false, and the start as it was, unless that soon leads to a stable
+  // pose nearby.
+  bool skipSearch(Model rung, RobotForces* start) {
+    RobotForces closed = *start;
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      const CableLine line = cableLine(robot_.cables[i], start->pose);
+      const std::optional<ForcesAtA> forces =
+          catenaryForces(asSeenBy(rung, robot_.cables[i].properties), start->lengths[i], line.x, line.w);
+      if (!forces) return false;
+      closed.forces[i] = *forces;
+    }
+    rungs_.assign(robot_.cables.size(), rung);
+    if (!refine(closed, kNearbyIterations).ok()) return false;
+    if ((state_.pose.position - start->pose.position).norm() > kNearbyShareOfSpan * robot_.span()) return false;
+    if (state_.pose.orientation.angularDistance(start->pose.orientation) > kNearbyAngle) return false;
+    *start = reached();
+    return true;
+  }
+
   RobotForces reached() const {
     RobotForces forces{state_.pose, request_.lengths, {}};
     for (const SaggingCable& cable : state_.cables) {
@@ -90,7 +119,7 @@ class ForwardSolve {
   }
 
   // Newton's method on the cables' rungs.
-  Status refine(const RobotForces& start) {
+  Status refine(const RobotForces& start, int max_iterations = CoupledOptions().max_iterations) {
     state_.pose = start.pose;
     state_.cables.clear();
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
@@ -103,7 +132,7 @@ class ForwardSolve {
       if (!started) cable.start(start.lengths[i], start.forces[i]);
       state_.cables.push_back(std::move(cable));
     }
-    outcome_ = solveCoupled(robot_, request_.external_wrench, {options_.tolerance, deadline_}, &state_);
+    outcome_ = solveCoupled(robot_, request_.external_wrench, {options_.tolerance, deadline_, max_iterations}, &state_);
     iterations_ += outcome_.iterations;
     if (!outcome_.status.ok()) return outcome_.status;
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {

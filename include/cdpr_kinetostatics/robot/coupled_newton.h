@@ -83,6 +83,7 @@ class CoupledNewton {
 struct CoupledOptions {
   double tolerance = 1e-8;  // forces change by less than this times the tension
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  int max_iterations = 50;
 };
 
 struct CoupledOutcome {

@@ -53,6 +53,8 @@ CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, co
   double stiffest = 0.0;
   for (const CableDescription& cable : robot.cables) stiffest = std::max(stiffest, cable.properties.axial_stiffness);
   const std::vector<Model> extensible(rungs.size(), Model::kBending);
+  const Status none = {Code::kNotConverged,
+                       "no stable pose was found at which cables of these lengths balance the load"};
   double reached = 0.0;
   double next = std::max(robot.weight(), external.head<3>().norm()) / kSoftStrain;
   double factor = kStiffening;
@@ -63,6 +65,7 @@ CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, co
     const RobotDescription soft = softened(robot, real ? kReal : next);
     CoupledState there = *state;
     CoupledOutcome outcome;
+    outcome.status = none;
     if (startCables(soft, lengths, real ? rungs : extensible, options, &there)) {
       outcome = solveCoupled(soft, external, options, &there);
     }
@@ -77,10 +80,7 @@ CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, co
     const bool stuck = reached == 0.0 || factor < kLeastStiffening;
     if (on_branch ? real : stuck || outcome.status.code == Code::kTimedOut) {
       outcome.iterations = iterations;
-      if (outcome.status.ok() && !on_branch) {
-        outcome.status = {Code::kNotConverged,
-                          "no stable pose was found at which cables of these lengths balance the load"};
-      }
+      if (outcome.status.ok() && !on_branch) outcome.status = none;
       return outcome;
     }
     next = factor * reached;

@@ -16,8 +16,8 @@ namespace {
 // Directions with a standard deviation beyond this share of the robot's span are not fixed by the data.
 constexpr double kUnobservable = 1.0;
 
-void fillCables(const MeasuredRobot& measured, const Candidate& candidate, Estimate* estimate) {
-  const Adjusted& adjusted = candidate.adjusted;
+void fillCables(const MeasuredRobot& measured, Candidate* candidate, Estimate* estimate) {
+  const Adjusted& adjusted = candidate->adjusted;
   const RobotDescription& robot = measured.robot;
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
@@ -61,10 +61,10 @@ void fillLoadCovariance(const RobotDescription& robot, const Adjusted& adjusted,
 
 }  // namespace
 
-Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
+Estimate report(const MeasuredRobot& measured, Candidate* candidate) {
   const RobotDescription& robot = measured.robot;
   Estimate estimate;
-  const Adjusted& adjusted = candidate.adjusted;
+  const Adjusted& adjusted = candidate->adjusted;
   const RobotForces& at = adjusted.unknowns;
   estimate.solution.pose = at.pose;
   estimate.solution.report.status = adjusted.status;
@@ -88,7 +88,7 @@ Estimate report(const MeasuredRobot& measured, const Candidate& candidate) {
     if (o.kind == Observation::Kind::kLength) estimate.length_redundancy[o.index] = o.redundancy;
     if (o.kind == Observation::Kind::kTension) estimate.tension_redundancy[o.index] = o.redundancy;
   }
-  const Selection left_out = leftOut(measured, candidate);
+  const Selection left_out = leftOut(measured, *candidate);
   estimate.length_outlier = left_out.lengths;
   estimate.tension_outlier = left_out.tensions;
   estimate.load_outlier = left_out.load;

@@ -5,6 +5,6 @@
 
 namespace cdpr_kinetostatics {
 
-Estimate report(const MeasuredRobot& measured, const Candidate& candidate);
+Estimate report(const MeasuredRobot& measured, Candidate* candidate);
 
 }  // namespace cdpr_kinetostatics

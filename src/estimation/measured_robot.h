@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <vector>
 
 #include "cdpr_kinetostatics/estimation/adjustment.h"
 
@@ -20,12 +21,16 @@ struct MeasuredRobot {
 struct Candidate {
   Adjusted adjusted;
   Selection selection;
+  // Per cable: d(translation, rotation vector)/d(x, w), how the pose moves if the cable's end lay elsewhere in its
+  // plane under the same forces [-, rad/m]; empty until model_effect.h needs it.
+  std::vector<Eigen::Matrix<double, 6, 2>> pose_by_end;
 };
 
 inline Candidate adjust(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
   return {adjust(measured.robot, measured.options, measured.measurements, selection, measured.rungs, start,
                  measured.deadline),
-          selection};
+          selection,
+          {}};
 }
 
 }  // namespace cdpr_kinetostatics

@@ -14,10 +14,9 @@ constexpr double kRank = 1e-9;
 
 Eigen::Index count(const std::vector<bool>& flags) { return std::count(flags.begin(), flags.end(), true); }
 
-}  // namespace
-
-// At a fixed pose and H the other end means another V and L, so the cable's residuals change; the adjustment follows.
-std::vector<Eigen::Matrix<double, 6, 2>> poseByEnd(const MeasuredRobot& measured, const Candidate& candidate) {
+// A direction that the data cannot fix does not move. At a fixed pose and H the other end means another V and L, so the
+// cable's residuals change; the adjustment follows.
+std::vector<Eigen::Matrix<double, 6, 2>> solvePoseByEnd(const MeasuredRobot& measured, const Candidate& candidate) {
   const RobotDescription& robot = measured.robot;
   const EstimatorOptions& options = measured.options;
   const Selection& selection = candidate.selection;
@@ -57,9 +56,16 @@ std::vector<Eigen::Matrix<double, 6, 2>> poseByEnd(const MeasuredRobot& measured
   return result;
 }
 
-std::vector<RungEffects> rungEffects(const MeasuredRobot& measured, const Candidate& candidate) {
-  const std::vector<Eigen::Matrix<double, 6, 2>> pose_by_end = poseByEnd(measured, candidate);
-  const RobotForces& at = candidate.adjusted.unknowns;
+const std::vector<Eigen::Matrix<double, 6, 2>>& poseByEnd(const MeasuredRobot& measured, Candidate* candidate) {
+  if (candidate->pose_by_end.empty()) candidate->pose_by_end = solvePoseByEnd(measured, *candidate);
+  return candidate->pose_by_end;
+}
+
+}  // namespace
+
+std::vector<RungEffects> rungEffects(const MeasuredRobot& measured, Candidate* candidate) {
+  const std::vector<Eigen::Matrix<double, 6, 2>>& pose_by_end = poseByEnd(measured, candidate);
+  const RobotForces& at = candidate->adjusted.unknowns;
   std::vector<RungEffects> effects(pose_by_end.size());
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const RungErrors errors =
@@ -73,8 +79,8 @@ std::vector<RungEffects> rungEffects(const MeasuredRobot& measured, const Candid
   return effects;
 }
 
-void reportEffect(const MeasuredRobot& measured, const Candidate& candidate, RobotSolution* solution) {
-  const std::vector<Eigen::Matrix<double, 6, 2>> pose_by_end = poseByEnd(measured, candidate);
+void reportEffect(const MeasuredRobot& measured, Candidate* candidate, RobotSolution* solution) {
+  const std::vector<Eigen::Matrix<double, 6, 2>>& pose_by_end = poseByEnd(measured, candidate);
   Wrench moved = Wrench::Zero();
   for (std::size_t i = 0; i < pose_by_end.size(); ++i) {
     moved += pose_by_end[i] * modelError(measured.robot.cables[i].properties, solution->cables[i].cable).end;

@@ -58,7 +58,7 @@ Selection available(const RobotDescription& robot, const EstimatorOptions& optio
 std::vector<Model> adaptRungs(MeasuredRobot* measured, Candidate* candidate, const std::vector<Model>& kept) {
   std::vector<Model> wanted;
   for (std::size_t attempt = 0; attempt < kAutoRungs.size() && candidate->adjusted.status.ok(); ++attempt) {
-    wanted = RungChoice().choose(rungEffects(*measured, *candidate), measured->options.accuracy, kept);
+    wanted = RungChoice().choose(rungEffects(*measured, candidate), measured->options.accuracy, kept);
     bool finer = false;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       finer = finer || wanted[i] > measured->rungs[i];
@@ -115,7 +115,7 @@ Estimate PoseEstimator::solve(MeasuredRobot* measured) {
   }
   Estimate estimate;
   if (status.ok()) {
-    estimate = report(*measured, found.best);
+    estimate = report(*measured, &found.best);
     estimate.warm_started = found.warm_started;
     last_ = found.best.adjusted.unknowns;
     left_out_ = leftOut(*measured, found.best);

@@ -22,19 +22,25 @@ if ! build -DCDPR_BUILD_BENCHMARKS=ON >"$workspace/benchmarks_build.log" 2>&1; t
 fi
 programs=$workspace/devel/lib/cdpr_kinetostatics
 mkdir -p "$out"
-rm -f "$out"/*.csv
 
 echo "machine:  $(nproc) x $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"
 echo "compiler: $(c++ --version | head -n 1)"
 echo "commit:   $(git -C "$repository" describe --always --dirty 2>/dev/null || echo unknown)"
 
 failed=0
+results=()
 # run NAME COMMAND...: one benchmark, which writes NAME.csv.
 run() {
   local name=$1
   shift
   printf '\n--- %s\n' "$name"
-  "$@" "${quick[@]}" --csv "$out/$name.csv" || { echo "FAILED: $name"; failed=1; }
+  rm -f "$out/$name.csv"
+  if "$@" "${quick[@]}" --csv "$out/$name.csv"; then
+    results+=("$out/$name.csv")
+  else
+    echo "FAILED: $name"
+    failed=1
+  fi
 }
 for source in "$repository"/benchmark/*.cpp; do
   name=$(basename "$source" .cpp)
@@ -49,5 +55,5 @@ done
 run compare_scipy "$repository/scripts/compare_scipy.py" --programs "$programs"
 
 printf '\n'
-"$repository/scripts/benchmark_table.py" "$out"/*.csv
+"$repository/scripts/benchmark_table.py" "${results[@]}"
 exit $failed

@@ -111,8 +111,8 @@ def draw_panel(axes, robot, problem):
         label_height = min(math.log10(error) + 0.2, label_height - LABEL_DISTANCE)
         axes.text(1.3 * time, 10**label_height, label, va="center", fontsize=8, color=AUTO[2], zorder=4,
                   path_effects=[patheffects.withStroke(linewidth=2, foreground="white")])
-    low, high = robot["kappa_length"]
-    axes.set_title(f"{robot['name']}\n{robot['cables']} cables, $\\kappa L$ {low:.0f} to {high:.0f}", fontsize=10)
+    layers = ", $\\kappa L$ {:.0f} to {:.0f}".format(*robot["kappa_length"]) if robot["kappa_length"] else ""
+    axes.set_title(f"{robot['name']}\n{robot['cables']} cables{layers}", fontsize=10)
     axes.set(xscale="log", yscale="log")
     axes.grid(True, which="major", linewidth=0.3)
     axes.tick_params(labelsize=8)

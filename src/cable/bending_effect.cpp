@@ -139,6 +139,10 @@ BendingEffect bendingEffect(const CableProperties& cable, double h, double v, do
     effect.trusted = true;
     return effect;
   }
+  if (h == 0.0 && v * (v - cable.weight * length) > 0.0) {
+    effect.trusted = true;  // hangs straight down
+    return effect;
+  }
   if (!(h > 0.0)) return effect;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();

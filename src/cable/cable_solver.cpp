@@ -27,7 +27,7 @@ CableSolution solveAuto(const CableProperties& cable, const CableSolverOptions& 
   on_rung.model = Model::kCatenary;
   const CableSolution catenary = solve(on_rung);
   if (catenary.status.code == Code::kInvalidInput) return catenary;
-  if (catenary.status.ok() && catenary.horizontal_force > 0.0) {
+  if (catenary.status.ok()) {
     const RungErrors errors = rungErrors(cable, catenary.length, catenary.horizontal_force, catenary.vertical_force_a);
     for (std::size_t r = 0; kAutoRungs[r] != Model::kBending; ++r) {
       if (!errors[r].known || errors[r].end.norm() > kAutoShare * options.accuracy) continue;

@@ -15,6 +15,11 @@ namespace {
 // Forces that change by more than this share do not change in proportion to what changes them.
 constexpr double kLinear = 0.1;
 
+// A push of less than this share of the vertical force is rounding of a cable that hangs straight down.
+constexpr double kRounding = 1e-12;
+
+double withoutRounding(double h, double v) { return h < 0.0 && h >= -kRounding * std::abs(v) ? 0.0 : h; }
+
 // The catenary needs a tension all along the cable.
 bool hangs(const CableProperties& cable, double length, double h, double v) {
   return h > 0.0 || (h == 0.0 && (v < 0.0 || v > cable.weight * length));
@@ -41,6 +46,10 @@ ModelError errorOf(const Eigen::Vector2d& end, const Eigen::Matrix2d& stiffness,
 
 // A line that stretches, or is slack, between given ends, against the cable that hangs there.
 ModelError lineBetweenEnds(const CableProperties& cable, const CableSolution& line) {
+  const bool formless = cable.weight == 0.0 && cable.bending_stiffness == 0.0;
+  if (formless && std::hypot(line.x, line.w) <= line.length) {
+    return errorOf(Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), true, 0.0, line.length);
+  }
   const std::optional<ForcesAtA> catenary = catenaryForces(cable, line.length, line.x, line.w);
   if (!catenary) return {{line.length, 0.0}, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), false};
   const EndPoint end = catenaryEnd(cable, catenary->horizontal, catenary->vertical, line.length);
@@ -55,8 +64,8 @@ ModelError lineBetweenEnds(const CableProperties& cable, const CableSolution& li
 
 ModelError modelError(const CableProperties& cable, const CableSolution& solution) {
   const Model model = solution.model;
-  const double h = solution.horizontal_force;
   const double v = solution.vertical_force_a;
+  const double h = withoutRounding(solution.horizontal_force, v);
   const double length = solution.length;
   CableProperties stretching = cable;
   if (!(cable.axial_stiffness > 0.0)) stretching.axial_stiffness = std::numeric_limits<double>::infinity();
@@ -86,9 +95,10 @@ ModelError modelError(const CableProperties& cable, const CableSolution& solutio
   return errorOf(end, inverseOrZero(catenary.jacobian.leftCols<2>()), known, solution.tension_a, length);
 }
 
-RungErrors rungErrors(const CableProperties& cable, double length, double h, double v) {
+RungErrors rungErrors(const CableProperties& cable, double length, double horizontal_force, double v) {
   RungErrors errors;
-  if (!(h > 0.0)) {
+  const double h = withoutRounding(horizontal_force, v);
+  if (!hangs(cable, length, h, v)) {
     for (ModelError& error : errors) error.known = false;
     errors.back().known = true;
     return errors;

@@ -14,6 +14,8 @@ namespace {
 
 // Steps may be kept while they make up to so many times the error that was asked of them.
 constexpr double kLargestStepError = 4.0;
+// A determinant of less than this share of its terms is zero.
+constexpr double kRounding = 1e-15;
 
 Eigen::Vector2d feedback(const ShotState& state) { return {state.alpha, state.moment}; }
 
@@ -267,7 +269,8 @@ bool MultipleShooting::stable() const {
   const double ww = -end_.jacobian(1, 1);
   const double xw = 0.5 * (end_.jacobian(1, 0) - end_.jacobian(0, 1));
   const double determinant = xx * ww - xw * xw;
-  const int negative = determinant < 0.0 ? 1 : xx + ww < 0.0 ? 2 : 0;
+  const bool opposite = determinant < -kRounding * (xx * xx + ww * ww);
+  const int negative = opposite ? 1 : xx + ww < 0.0 ? 2 : 0;
   return focal_points_ == negative;
 }
 

@@ -28,8 +28,8 @@ using MatrixOfFreedoms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, E
 constexpr int kPredictorIterations = 2;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// A length below which the distance of B from the vertical through A does not count.
-double leastDistance(const SaggingCable& cable) { return 1e-9 * cable.length(); }
+// Share of the cable's length: nearer to the vertical through A than that, H/x does not change as B moves.
+constexpr double kLeastDistance = 1e-9;
 
 }  // namespace
 
@@ -73,7 +73,7 @@ bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState*
     const double weight = cable.properties().weight * cable.length();
     const double h = cable.horizontalForce() + e.start.x();
     const Eigen::Vector3d force = forceOnPlatform(e.line, h, cable.verticalForceA() + e.start.y(), weight);
-    addCable(e.line, e.stiffness, force, h / std::max(e.line.x, leastDistance(cable)));
+    addCable(e.line, e.stiffness, force, forceDensity(e.line, h, e.stiffness));
   }
   return unbalanced_.allFinite() && stiffness_.allFinite();
 }
@@ -138,7 +138,7 @@ double CoupledNewton::predict(const std::vector<double>& lengths, const Wrench& 
       const double weight = state->cables[i].properties().weight * lengths[i];
       e.start << force.x(), 0.5 * weight - force.y();  // (H, V)
       addCable(e.line, stiffness, forceOnPlatform(e.line, e.start.x(), e.start.y(), weight),
-               force.x() / std::max(e.line.x, 1e-9 * lengths[i]));
+               forceDensity(e.line, e.start.x(), stiffness));
     }
     if (iteration == kPredictorIterations) break;
     if (!unbalanced_.allFinite() || !stiffness_.allFinite() || !solve()) return kNowhere;
@@ -193,12 +193,12 @@ void CoupledNewton::step(CoupledState* state) const {
     // H follows from the new x.
     SaggingCable& cable = state->cables[i];
     const Elimination& e = cables_[i];
-    const double x = std::max(e.line.x, leastDistance(cable));
     const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.line.arm);
-    const double density = cable.horizontalForce() / x;
+    const double density = forceDensity(e.line, cable.horizontalForce(), e.stiffness);
     Eigen::Vector3d step = change(e);
-    const double density_step = (step.x() - density * e.line.direction.dot(moved)) / x;
-    const double new_x = std::max(cableLine(robot_.cables[i], state->pose).x, leastDistance(cable));
+    const double least = kLeastDistance * cable.length();
+    const double density_step = e.line.x > least ? (step.x() - density * e.line.direction.dot(moved)) / e.line.x : 0.0;
+    const double new_x = cableLine(robot_.cables[i], state->pose).x;
     step.x() = ((density + damping * density_step) * new_x - cable.horizontalForce()) / damping;
     cable.step(step, damping);
   }
@@ -219,8 +219,9 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
     if (!newton.linearise(external, adapt ? Steps::kNew : Steps::kKept, state)) break;
     outcome.stiffness = newton.stiffness();
     if (!newton.solve()) {
-      outcome.status = {Code::kNotConverged,
-                        "the robot's stiffness is singular here: the cables leave the platform a free motion"};
+      outcome.status = {
+          Code::kNotConverged,
+          "the robot's stiffness is singular here: the cables leave the platform a free motion, or cannot give at all"};
       return outcome;
     }
     const double size = newton.size(*state);

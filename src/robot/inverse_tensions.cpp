@@ -50,7 +50,7 @@ TensionDistribution InverseSolve::distribute() {
     total += wrenchAt(c.line.arm, force) - matrix.col(i) * c.cable.tensionA();
     if (free_turn_) {
       const Eigen::Vector3d side(-c.line.direction.y(), c.line.direction.x(), 0.0);
-      const double across = h / std::max(c.line.x, 1e-9 * c.cable.length());
+      const double across = forceDensity(c.line, h, c.by_end.topRows<2>());
       const Eigen::Matrix3d arm = cross(c.line.arm);
       const Eigen::Matrix3d force_by_turn = force_by_cable * c.by_turn + across * side * side.transpose() * arm;
       matrix.topRightCorner<3, 3>() += force_by_turn;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace cdpr_kinetostatics {
-
 Eigen::Matrix<double, 6, 2> wrenchByForces(const CableLine& line) {
   Eigen::Matrix<double, 6, 2> wrench;
   wrench << wrenchAt(line.arm, -line.direction), wrenchAt(line.arm, Eigen::Vector3d::UnitZ());
@@ -24,9 +23,8 @@ void LinearRobot::add(const CableLine& line, const Eigen::Matrix2d& stiffness, d
   end_by_pose.rightCols<3>() = end_by_pose.leftCols<3>() * -cross(line.arm);
   const Eigen::Vector3d side(-line.direction.y(), line.direction.x(), 0.0);
   const Wrench side_wrench = wrenchAt(line.arm, side);
-  Eigen::Matrix<double, 6, 6> added =
-      wrenchByForces(line) * stiffness * end_by_pose -
-      h / std::max(line.x, 1e-9 * std::hypot(line.x, line.w)) * side_wrench * side_wrench.transpose();
+  Eigen::Matrix<double, 6, 6> added = wrenchByForces(line) * stiffness * end_by_pose -
+                                      forceDensity(line, h, stiffness) * side_wrench * side_wrench.transpose();
   added.bottomRightCorner<3, 3>() += cross(force) * cross(line.arm);
   if (rigid_) {
     stiffness_ += added;

@@ -8,6 +8,9 @@ namespace {
 // Nearer to the vertical through A than this share of the distance, B counts as above or below A.
 constexpr double kVertical = 1e-12;
 
+// Nearer than this share H/x loses its digits.
+constexpr double kNearlyVertical = 1e-9;
+
 }  // namespace
 
 CableLine cableLine(const CableDescription& cable, const Pose& pose) {
@@ -24,6 +27,10 @@ CableLine cableLine(const CableDescription& cable, const Pose& pose) {
 Eigen::Vector3d forceOnPlatform(const CableLine& line, double horizontal_force, double vertical_force_a,
                                 double cable_weight) {
   return -horizontal_force * line.direction + (vertical_force_a - cable_weight) * Eigen::Vector3d::UnitZ();
+}
+
+double forceDensity(const CableLine& line, double horizontal_force, const Eigen::Matrix2d& stiffness) {
+  return line.x > kNearlyVertical * std::abs(line.w) ? horizontal_force / line.x : stiffness(0, 0);
 }
 
 Wrench wrenchAt(const Eigen::Vector3d& arm, const Eigen::Vector3d& force) {

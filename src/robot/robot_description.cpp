@@ -11,6 +11,8 @@ double RobotDescription::span() const {
       largest = std::max(largest, (cables[i].anchor - cables[j].anchor).norm());
     }
   }
+  if (largest > 0.0) return largest;
+  for (const CableDescription& cable : cables) largest = std::max(largest, (home.position - cable.anchor).norm());
   return largest;
 }
 

@@ -56,7 +56,7 @@ ordered_json robotOf(const RobotTrade& trade) {
       {"name", trade.robot.name},
       {"cables", trade.robot.cables.size()},
       {"span", trade.robot.span()},
-      {"kappa_length", {trade.least_layers, trade.most_layers}},
+      {"kappa_length", trade.layers ? ordered_json{trade.layers->first, trade.layers->second} : ordered_json()},
       {"poses", trade.poses},
       {"rows", rows},
       {"recommendations", recommendations},

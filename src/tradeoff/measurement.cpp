@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "support/timing.h"
 
@@ -84,13 +83,14 @@ RobotTrade measureTrade(const RobotDescription& robot, const Effort& effort) {
   RobotTrade trade;
   trade.robot = robot;
   trade.poses = static_cast<int>(scenarios.size());
-  trade.least_layers = std::numeric_limits<double>::max();
   for (const Scenario& scenario : scenarios) {
     for (std::size_t i = 0; i < robot.cables.size(); ++i) {
       const CableSolution& cable = scenario.reference.cables[i].cable;
-      const double layers = cable.length * std::sqrt(cable.tension_a / robot.cables[i].properties.bending_stiffness);
-      trade.least_layers = std::min(trade.least_layers, layers);
-      trade.most_layers = std::max(trade.most_layers, layers);
+      const double bending_stiffness = robot.cables[i].properties.bending_stiffness;
+      if (!(bending_stiffness > 0.0)) continue;
+      const double layers = cable.length * std::sqrt(cable.tension_a / bending_stiffness);
+      const auto [least, most] = trade.layers.value_or(std::make_pair(layers, layers));
+      trade.layers = std::make_pair(std::min(least, layers), std::max(most, layers));
     }
   }
 

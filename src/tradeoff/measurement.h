@@ -1,7 +1,9 @@
 // Runs the trials of a robot and sums them up: one row for each problem and setting.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trial.h"
@@ -40,8 +42,8 @@ struct Row {
 struct RobotTrade {
   RobotDescription robot;
   int poses = 0;
-  double least_layers = 0.0;  // kappa L = L sqrt(T_A/EI) over all cables and poses
-  double most_layers = 0.0;
+  // Least and largest kappa L = L sqrt(T_A/EI) over all poses and cables; none where no cable bends.
+  std::optional<std::pair<double, double>> layers;
   std::vector<Row> rows;
 };
 

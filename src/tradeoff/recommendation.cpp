@@ -48,8 +48,9 @@ std::optional<Choice> fastestWithin(const std::vector<Choice>& choices, double a
     if (choice.setting.model == Model::kAuto || choice.error > accuracy) continue;
     if (!fastest || choice.time < fastest->time) fastest = choice;
   }
+  if (!fastest) return std::nullopt;
   // A finer tolerance that costs next to nothing: closed forms hardly notice theirs.
-  const double affordable = fastest ? kSameTime * fastest->time : 0.0;
+  const double affordable = kSameTime * fastest->time;
   for (const Choice& choice : choices) {
     if (choice.setting.model != fastest->setting.model || choice.error > accuracy || choice.time > affordable) continue;
     if (choice.setting.tolerance < fastest->setting.tolerance) fastest = choice;

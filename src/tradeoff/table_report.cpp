@@ -50,8 +50,9 @@ void writeTable(const RobotTrade& trade, std::ostream* out) {
   std::ostringstream text;
   const auto cell = [&](const std::string& content) { text << std::setw(kWidth) << content; };
   text << std::fixed << std::setprecision(0) << "Robot " << trade.robot.name << ": " << trade.robot.cables.size()
-       << " cables, kappa L " << trade.least_layers << " to " << trade.most_layers << ", " << trade.poses
-       << " poses\n\n";
+       << " cables, ";
+  if (trade.layers) text << "kappa L " << trade.layers->first << " to " << trade.layers->second << ", ";
+  text << trade.poses << " poses\n\n";
   text << std::setw(kNameWidth + 6) << "" << std::setw(3 * kWidth) << "forward" << std::setw(2 * kWidth) << "inverse"
        << std::setw(2 * kWidth) << "estimate" << std::setw(2 * kWidth) << "one cable"
        << "\n";

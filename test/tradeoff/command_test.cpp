@@ -160,6 +160,25 @@ TEST_F(QuickRun, IsDrawn) {
   }
 }
 
+// Its cables have no bending layers to count.
+TEST(WithoutFlexuralRigidity, IsMeasuredAndDrawn) {
+  std::string robot = contentOf(ROBOT_DIR "/paper_point_mass.yaml");
+  const std::string radius = "radius: 0.01\n  youngs_modulus: 1.7e+11\n  density: 8050.0\n";
+  ASSERT_NE(robot.find(radius), std::string::npos);
+  robot.replace(robot.find(radius), radius.size(),
+                "axial_stiffness: 5.3e+7\n  bending_stiffness: 0.0\n  linear_density: 2.5\n");
+  const std::string file = testing::TempDir() + "tradeoff_test_limp.yaml";
+  std::ofstream(file) << robot;
+  const std::string json_file = testing::TempDir() + "tradeoff_test_limp.json";
+  const Reply run = tradeoff("--quick --robot " + file + " --json " + json_file);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(run.output.find("kappa L"), std::string::npos) << run.output;
+  EXPECT_TRUE(json::parse(contentOf(json_file))["robots"][0]["kappa_length"].is_null());
+  const Reply drawn = replyOf("/usr/bin/python3 " SOURCE_DIR "/scripts/plot_tradeoff.py " + json_file + " --images " +
+                              testing::TempDir() + "tradeoff_test_limp");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
+}
+
 class Refusal : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(Refusal, IsASentenceAndExitCodeOne) {

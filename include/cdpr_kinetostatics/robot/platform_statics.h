@@ -20,6 +20,10 @@ CableLine cableLine(const CableDescription& cable, const Pose& pose);
 Eigen::Vector3d forceOnPlatform(const CableLine& line, double horizontal_force, double vertical_force_a,
                                 double cable_weight);
 
+// H/x [N/m], by which a cable resists motion out of its plane; stiffness: d(H, V)/d(x, w). A vertical cable resists
+// alike in all directions.
+double forceDensity(const CableLine& line, double horizontal_force, const Eigen::Matrix2d& stiffness);
+
 // A force that acts at arm from the platform origin.
 Wrench wrenchAt(const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
 

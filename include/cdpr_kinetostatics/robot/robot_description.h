@@ -35,7 +35,7 @@ struct RobotDescription {
 
   int freedoms() const { return type == PlatformType::kPointMass ? 3 : 6; }
   double weight() const { return mass * gravity; }  // [N]
-  // Largest distance between two anchors [m].
+  // Largest distance between two anchors; where all are one point, from there to home [m].
   double span() const;
   // Largest distance of an attachment from the platform origin [m]; 0 for a point mass.
   double platformRadius() const;

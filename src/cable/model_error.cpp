@@ -1,6 +1,7 @@
 #include "cdpr_kinetostatics/cable/model_error.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,10 +16,7 @@ namespace {
 // Forces that change by more than this share do not change in proportion to what changes them.
 constexpr double kLinear = 0.1;
 
-// A push of less than this share of the vertical force is rounding of a cable that hangs straight down.
-constexpr double kRounding = 1e-12;
-
-double withoutRounding(double h, double v) { return h < 0.0 && h >= -kRounding * std::abs(v) ? 0.0 : h; }
+double withoutRounding(double h, double v) { return ForcesAtA{h, v}.push() ? h : std::max(h, 0.0); }
 
 // The catenary needs a tension all along the cable.
 bool hangs(const CableProperties& cable, double length, double h, double v) {

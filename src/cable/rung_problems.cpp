@@ -207,7 +207,7 @@ CableSolution positionOnRung(const CableProperties& properties, double length, d
     const BendingOutcome outcome = solveBendingPosition(cable, length, {h, v}, bendingOptions(options), &shooting);
     return bendingSolution(cable, options, outcome, shooting);
   }
-  if (h < 0.0) {
+  if (ForcesAtA{h, v}.push()) {
     return refusal(options.model, {Code::kInfeasible, named("horizontal_force", h, "N") +
                                                           " is compression, which only a cable with bending "
                                                           "stiffness can carry: use a bending model"});

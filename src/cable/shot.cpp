@@ -208,8 +208,8 @@ bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, con
     if (!physical(next)) return false;
     y = next;
     t += dt;
-    k[0] = k[kStages - 1];
     record(y, errorOf(dt, k), shot);
+    k[0] = k[kStages - 1];
   }
   finish(y, shot);
   return true;

@@ -66,6 +66,17 @@ TEST_P(ShotSensitivity, AreTheDerivativesOfTheShotOnItsOwnGrid) {
   }
 }
 
+TEST_P(ShotSensitivity, RepeatedStepsReportTheErrorsThatTheyWereChosenFor) {
+  const ShotCase& c = GetParam();
+  StepGrid grid;
+  Shot chosen, repeated;
+  ASSERT_TRUE(shootAdaptive(c.parameters, c.t0, c.t1, c.start, {1e-7, 1e-7}, &grid, &chosen));
+  ASSERT_TRUE(shootOnGrid(c.parameters, c.t0, c.start, grid, 1.0, &repeated));
+  EXPECT_GT(chosen.moment_error, 0.0);
+  EXPECT_DOUBLE_EQ(repeated.alpha_error, chosen.alpha_error);
+  EXPECT_DOUBLE_EQ(repeated.moment_error, chosen.moment_error);
+}
+
 // In the dimensionless form EI = 1, EA = 1/eps, q = q.
 TEST_P(ShotSensitivity, AgreeWithAutomaticDifferentiationOfThePapersEquations) {
   using Jet = ceres::Jet<double, 4>;

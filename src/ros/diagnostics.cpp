@@ -26,7 +26,7 @@ void Diagnostics::input(DiagnosticStatusWrapper& status) {
   const EstimatorLoop::InputStatus now = loop_.inputStatus();
   const InputCounts& counts = now.counts;
   const std::string publishers = text("publishers on that topic: ", now.publishers);
-  const double silence = (ros::WallTime::now() - now.last_arrival).toSec();
+  const double silence = ros::WallTime::now().toSec() - now.last_arrival.toSec();
   const std::uint64_t refused = counts.refused() - last_counts_.refused();
   const std::uint64_t incomplete = counts.missing_lengths + counts.missing_tensions + counts.unknown_names +
                                    counts.impossible - last_counts_.missing_lengths - last_counts_.missing_tensions -

@@ -16,8 +16,8 @@ EstimateOutput::EstimateOutput(ros::NodeHandle handle, const NodeParameters& par
 bool EstimateOutput::markersAreDue(const ros::Time& stamp) {
   if (parameters_.marker_rate <= 0.0 || markers_.getNumSubscribers() == 0) return false;
   // A little early is in time: stamps need not be multiples of the period.
-  const ros::Duration period(0.99 / parameters_.marker_rate);
-  if (stamp >= last_markers_ && stamp < last_markers_ + period) return false;
+  const double since = stamp.toSec() - last_markers_.toSec();
+  if (!last_markers_.isZero() && since >= 0.0 && since < 0.99 / parameters_.marker_rate) return false;
   last_markers_ = stamp;
   return true;
 }

@@ -9,6 +9,13 @@
 
 namespace cdpr_kinetostatics {
 
+namespace {
+
+// [s]. A ros::Duration holds no more than 68 years and throws beyond: a stamp can be anything.
+double secondsBetween(const ros::Time& from, const ros::Time& to) { return to.toSec() - from.toSec(); }
+
+}  // namespace
+
 MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age) : robot_(robot), max_age_(max_age) {}
 
 void MeasurementInput::reset() {
@@ -55,16 +62,17 @@ bool MeasurementInput::hasRightTime(const ros::Time& stamp, const ros::Time& now
   clock_went_back_ |= now < last_now_;
   last_now_ = now;
   if (stamp.isZero()) return refuse(&counts_.stale, "header.stamp is 0: expected the time of the measurement");
-  const double age = (now - stamp).toSec();
-  if (std::abs(age) > max_age_.toSec()) {
+  const double age = secondsBetween(stamp, now);
+  if (std::abs(age) > max_age_) {
     return refuse(&counts_.stale, text("stamped ", std::abs(age), age > 0.0 ? " s ago" : " s in the future",
-                                       ": expected within max_age of ", max_age_.toSec(),
+                                       ": expected within max_age of ", max_age_,
                                        " s; are the clocks of the machines the same? Is use_sim_time set for a bag?"));
   }
-  *jumped = !last_stamp_.isZero() && stamp < last_stamp_ && (clock_went_back_ || last_stamp_ - stamp > max_age_);
+  const double back = secondsBetween(stamp, last_stamp_);
+  *jumped = !last_stamp_.isZero() && stamp < last_stamp_ && (clock_went_back_ || back > max_age_);
   if (*jumped || last_stamp_.isZero() || stamp > last_stamp_) return true;
   if (stamp == last_stamp_) return refuse(&counts_.repeated, "the same stamp as the message before");
-  return refuse(&counts_.reordered, text("stamped ", (last_stamp_ - stamp).toSec(), " s before the message before"));
+  return refuse(&counts_.reordered, text("stamped ", back, " s before the message before"));
 }
 
 void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableMeasurements* cables) {

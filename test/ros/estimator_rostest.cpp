@@ -7,9 +7,11 @@
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 
 #include "cdpr_kinetostatics/KinetostaticState.h"
@@ -208,7 +210,24 @@ TEST_F(Estimator, RefusesMessagesOfTheWrongShape) {
 TEST_F(Estimator, RefusesMessagesOfTheWrongTime) {
   expectRefusal([](auto& m) { m.header.stamp -= ros::Duration(10.0); }, "s ago");
   expectRefusal([](auto& m) { m.header.stamp += ros::Duration(10.0); }, "in the future");
+  expectRefusal([](auto& m) { m.header.stamp = ros::Time(std::numeric_limits<std::uint32_t>::max(), 0); },
+                "in the future");
   expectRefusal([](auto& m) { m.header.stamp = ros::Time(); }, "header.stamp is 0");
+}
+
+// The node's marker_rate is one in 300 years.
+TEST_F(Estimator, ShowsMarkersAtAnyRate) {
+  int shown = 0;
+  const boost::function<void(const visualization_msgs::MarkerArray&)> on_markers = [&](const auto&) { ++shown; };
+  ros::NodeHandle handle;
+  const ros::Subscriber markers = handle.subscribe<visualization_msgs::MarkerArray>("cable_markers", 10, on_markers);
+  ASSERT_TRUE(sensors_->waitFor([&] { return markers.getNumPublishers() > 0; }));
+  EXPECT_TRUE(sensors_->waitFor([&] {
+    sensors_->expectRecovery();
+    return shown > 0;
+  }));
+  for (int k = 0; k < 3; ++k) sensors_->expectRecovery();
+  EXPECT_EQ(shown, 1);
 }
 
 TEST_F(Estimator, StartsAnewWhenTimeGoesBack) {

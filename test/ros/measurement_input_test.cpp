@@ -122,6 +122,39 @@ TEST_F(Input, OfTheWrongTimeIsRefused) {
   EXPECT_EQ(input_.counts().time_jumps, 0u);
 }
 
+TEST_F(Input, OfAnyStampAtAnyTimeIsRefusedOrUsed) {
+  constexpr std::uint32_t kMax = std::numeric_limits<std::uint32_t>::max();
+  const std::vector<ros::Time> times = {ros::Time(0, 1),    kStart,        ros::Time(2147483647, 0),
+                                        ros::Time(kMax, 0), ros::TIME_MIN, ros::TIME_MAX};
+  std::uint64_t stale = 0;
+  for (const ros::Time& now : times) {
+    for (const ros::Time& stamp : times) {
+      sensor_msgs::JointState m = message();
+      m.header.stamp = stamp;
+      const bool near = std::abs(stamp.toSec() - now.toSec()) <= 0.5;
+      if (!near) ++stale;
+      const auto measurement = input_.check(m, now);
+      EXPECT_FALSE(measurement && !near) << stamp << " at " << now;
+      EXPECT_EQ(input_.counts().stale, stale) << stamp << " at " << now;
+    }
+  }
+  EXPECT_EQ(input_.counts().accepted + input_.counts().refused(), times.size() * times.size());
+  EXPECT_GT(input_.counts().accepted, 0u);
+  sensor_msgs::JointState unnormalised = message();
+  unnormalised.header.stamp.sec = unnormalised.header.stamp.nsec = kMax;  // as a message may carry it
+  EXPECT_FALSE(input_.check(unnormalised, kStart));
+  EXPECT_NE(input_.lastProblem().find("in the future"), std::string::npos) << input_.lastProblem();
+}
+
+TEST_F(Input, ThatGoesBackByACenturyStartsAnew) {
+  sensor_msgs::JointState late = message();
+  late.header.stamp = ros::Time(4000000000.0);
+  EXPECT_TRUE(check(late));
+  const auto after_jump = check(message(1.0));
+  ASSERT_TRUE(after_jump);
+  EXPECT_TRUE(after_jump->reset_first);
+}
+
 TEST_F(Input, ThatGoesBackInTimeStartsAnew) {
   EXPECT_TRUE(check(message(100.0)));
   const auto after_jump = check(message(1.0));

@@ -63,7 +63,7 @@ class MeasurementInput {
   void readCables(const sensor_msgs::JointState& message, CableMeasurements* cables);
 
   const RobotDescription& robot_;
-  const ros::Duration max_age_;
+  const double max_age_;  // [s]
   InputCounts counts_;
   std::string last_problem_;
   ros::Time last_stamp_, last_now_;

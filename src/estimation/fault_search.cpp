@@ -168,7 +168,8 @@ bool isTrusted(const MeasuredRobot& measured, const Candidate& candidate) {
 bool isBetter(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
   const auto rank = [&](const Candidate& c) {
     const Adjusted& adjusted = c.adjusted;
-    return std::make_tuple(adjusted.status.ok(), explains(measured, c), adjusted.stable, adjusted.redundancy,
+    const bool tried = adjusted.status.code != Code::kUnset;
+    return std::make_tuple(tried, adjusted.status.ok(), explains(measured, c), adjusted.stable, adjusted.redundancy,
                            -adjusted.weighted_squares);
   };
   return rank(a) > rank(b);

@@ -259,6 +259,31 @@ TEST(PoseEstimator, RefusesImpossibleMeasurementsWithASentence) {
   EXPECT_EQ(estimator.update(measurements).solution.report.status.code, Code::kInvalidInput);
 }
 
+// As when a drum's radius is wrong, or millimetres are sent for metres.
+TEST(PoseEstimator, SaysWhyThereIsNoEstimate) {
+  int failed = 0;
+  for (const Model model : {Model::kCatenary, Model::kBending, Model::kAuto}) {
+    for (const char* name : {"cogiro", "paper_point_mass"}) {
+      SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, name);
+      simulated.estimator.model = model;
+      simulated.estimator.timeout = std::chrono::duration<double>(0.5);
+      for (const double factor : {1e-6, 0.5, 1.5}) {
+        CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+        for (auto& length : measurements.lengths) *length *= factor;
+        PoseEstimator estimator(simulated.robot, simulated.estimator);
+        for (int k = 0; k < 2; ++k) {
+          const Status status = estimator.update(measurements).solution.report.status;
+          failed += !status.ok();
+          if (status.ok()) continue;
+          EXPECT_NE(status.code, Code::kUnset) << name << ", lengths x " << factor;
+          EXPECT_FALSE(status.message.empty()) << name << ", lengths x " << factor;
+        }
+      }
+    }
+  }
+  EXPECT_GT(failed, 0);
+}
+
 TEST(PoseEstimator, ReadingBelowZeroIsAMeasurement) {
   SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
   const CableMeasurements clean = simulated.measure(simulated.truth, 0.0);

@@ -14,9 +14,6 @@ namespace {
 
 constexpr int kMaxIterations = 100;
 
-// B below A is taken this share of the length beside it.
-constexpr double kBeside = 1e-9;
-
 // The selected measurements, in the order of the cost's residuals.
 std::vector<Observation> observationsOf(const RobotDescription& robot, const Selection& selection) {
   std::vector<Observation> observations;
@@ -60,8 +57,8 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   Eigen::Quaterniond orientation = start.pose.orientation;
   std::vector<double> densities;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const double x = std::max(cableLine(robot.cables[i], start.pose).x, kBeside * start.lengths[i]);
-    densities.push_back(start.forces[i].horizontal / x);
+    const CableLine line = cableLine(robot.cables[i], start.pose);
+    densities.push_back(start.forces[i].horizontal / distanceBeside(line, start.lengths[i]));
   }
   const bool rigid = robot.type == PlatformType::kRigidBody;
   ceres::Problem problem;

@@ -27,7 +27,7 @@ RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iter
     const CableLine line = cableLine(robot.cables[i], start.pose);
     const double chord = std::hypot(line.x, line.w);
     if (lengths[i] > kSlack * chord) continue;
-    start.forces[i] = {*tension * line.x / chord, 0.5 * weight - *tension * line.w / chord};
+    start.forces[i] = {*tension * distanceBeside(line, lengths[i]) / chord, 0.5 * weight - *tension * line.w / chord};
   }
   return start;
 }

@@ -13,7 +13,6 @@ constexpr int kMaxClosureIterations = 30;
 constexpr int kAdaptiveIterations = 10;
 constexpr double kFreezeBelow = 1e-3;
 
-// B below A is taken this share of the length beside it.
 constexpr double kBeside = 1e-9;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -26,6 +25,8 @@ Eigen::Matrix<double, 3, 4> rotationByQuaternion(const Eigen::Quaterniond& q) {
 }
 
 }  // namespace
+
+double distanceBeside(const CableLine& line, double length) { return std::max(line.x, kBeside * length); }
 
 MeasurementCost::MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options,
                                  const CableMeasurements& measurements, const Selection& selection,
@@ -53,7 +54,7 @@ bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) con
   SaggingCable& cable = cables_[i];
   Sensitivity& s = sensitivities_[i];
   s.line = cableLine(robot_.cables[i], pose);
-  const double x = std::max(s.line.x, kBeside * cable.length());
+  const double x = distanceBeside(s.line, cable.length());
   bool adapt = !linearised_;
   for (int k = 0; k < kMaxClosureIterations; ++k) {
     const bool fresh = k > 0 || !linearised_;
@@ -61,7 +62,7 @@ bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) con
     const Eigen::Matrix<double, 2, 3>& jacobian = cable.end().jacobian;
     const Eigen::Matrix2d inverse = jacobian.rightCols<2>().inverse();
     Eigen::Vector3d change(density * x - cable.horizontalForce(), 0.0, 0.0);
-    const Eigen::Vector2d defect = Eigen::Vector2d(s.line.x, s.line.w) - cable.end().position;
+    const Eigen::Vector2d defect = Eigen::Vector2d(x, s.line.w) - cable.end().position;
     change.tail<2>() = inverse * (defect - jacobian.col(0) * change.x());
     if (!change.allFinite()) return false;
     const double size = std::max(

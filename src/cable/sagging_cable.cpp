@@ -38,6 +38,11 @@ Status SaggingCable::startBetween(double length, double x, double w, const Bendi
     forces_ = {shooting_.horizontalForce(), shooting_.verticalForceA()};
     return outcome.status;
   }
+  if (isStraight(model_)) {
+    if (std::hypot(x, w) <= length) return {Code::kInfeasible, "the straight cable is slack"};
+    forces_ = straightForces(seen_, length, x, w);
+    return {Code::kConverged, ""};
+  }
   const std::optional<ForcesAtA> catenary = correctedCatenaryForces(seen_, length, x, w);
   if (!catenary) return {Code::kInfeasible, "the cable cannot span its ends"};
   forces_ = *catenary;

@@ -63,7 +63,8 @@ bool ForwardFollower::converge(const Wrench& external) {
     const double size = newton_.size(state_);
     if (i > 0) {
       if (!(size < last_size)) return size < 1e-5 && newton_.atRounding();
-      contraction_ = size / (last_size * last_size);
+      // A straight cable's stiffness is nearly all along it: its steps contract now by the one, now by the other.
+      contraction_ = has_lines_ ? kUnknown : size / (last_size * last_size);
       solves_since_measured_ = 0;
     }
     newton_.step(&state_);
@@ -87,14 +88,14 @@ bool ForwardFollower::rungsServe() {
     reached_.lengths.push_back(cable.length());
     reached_.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
   }
-  return choice_.choose(robot_, reached_, options_.accuracy, rungs_) == rungs_;
+  return choice_.serve(robot_, reached_, options_.accuracy, rungs_);
 }
 
 void ForwardFollower::startCold(const ForwardRequest& request) {
   cold_ = solveForward(robot_, request, options_);
   iterations_ += cold_.report.iterations;
   status_ = cold_.report.status;
-  can_follow_ = status_.ok() && !isStraight(cold_.report.model) && adopt(cold_, request.external_wrench);
+  can_follow_ = status_.ok() && cold_.report.model != Model::kStraight && adopt(cold_, request.external_wrench);
 }
 
 // Takes a solution up as the state to follow.
@@ -102,9 +103,11 @@ bool ForwardFollower::adopt(const RobotSolution& solution, const Wrench& externa
   state_.pose = solution.pose;
   state_.cables.clear();
   rungs_.clear();
+  has_lines_ = false;
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     const CableSolution& cable = solution.cables[i].cable;
     rungs_.push_back(cable.model);
+    has_lines_ = has_lines_ || isStraight(cable.model);
     state_.cables.emplace_back(robot_.cables[i].properties, cable.model, options_.tolerance);
     SaggingCable& adopted = state_.cables.back();
     const BendingOptions bending{options_.tolerance};

@@ -23,7 +23,7 @@ bool InverseSolve::follow(const InverseRequest& request) {
   if (free_turn_) return false;
   for (std::size_t i = 0; i < cables_.size(); ++i) cables_[i].lower = robot_.cables[i].tension_min;
   if (!predict() || !converge() || !checkBranches().ok()) return false;
-  return options_.model != Model::kAuto || choice_.choose(robot_, reached(), options_.accuracy, rungs_) == rungs_;
+  return options_.model != Model::kAuto || choice_.serve(robot_, reached(), options_.accuracy, rungs_);
 }
 
 // The cables follow the platform at constant tension.

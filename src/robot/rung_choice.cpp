@@ -15,6 +15,9 @@ constexpr double kUncertainLine = 0.5;
 // AUTO gives up a rung in use only for one that would do for this share of the accuracy.
 constexpr double kKeptShare = 0.5;
 
+// A path goes on for so many states on rungs finer than necessary: a cold start may end on the same again.
+constexpr int kNeedlesslyFine = 50;
+
 double sizeOf(const Wrench& displacement) {
   return std::max(displacement.head<3>().norm(), displacement.tail<3>().norm());
 }
@@ -70,6 +73,18 @@ const std::vector<Model>& RungChoice::choose(const RobotDescription& robot, cons
   if (estimate(robot, state)) return choose(effects_, accuracy, kept);
   rungs_.assign(robot.cables.size(), Model::kBending);
   return rungs_;
+}
+
+bool RungChoice::serve(const RobotDescription& robot, const RobotForces& state, double accuracy,
+                       const std::vector<Model>& used) {
+  choose(robot, state, accuracy, used);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (rungs_[i] > used[i]) return false;
+  }
+  needlessly_fine_ = rungs_ == used ? 0 : needlessly_fine_ + 1;
+  if (needlessly_fine_ <= kNeedlesslyFine) return true;
+  needlessly_fine_ = 0;
+  return false;
 }
 
 // False where the robot has no stiffness.

@@ -202,6 +202,20 @@ TEST(Auto, GoesToBendingWhereNoEstimateHolds) {
   }
 }
 
+TEST(Auto, KnowsThatTheCatenaryIsExactBelowTheAnchor) {
+  for (const double bending_stiffness : {0.0, steelRope().bending_stiffness}) {
+    CableProperties rope = steelRope();
+    rope.bending_stiffness = bending_stiffness;
+    CableSolverOptions asked = options(Model::kAuto);
+    asked.accuracy = 1e-9;
+    const CableSolution s = findForces(rope, 4.99, 0.0, -5.0, asked);
+    ASSERT_TRUE(s.status.ok()) << s.status.message;
+    EXPECT_LE(s.model, Model::kCatenary) << bending_stiffness;
+    const CableSolution bending = findForces(rope, 4.99, 0.0, -5.0, options(Model::kBending, 1e-11));
+    EXPECT_NEAR(s.vertical_force_a, bending.vertical_force_a, 1e-9 * bending.vertical_force_a);
+  }
+}
+
 TEST(Auto, RefusesAnAccuracyThatIsNone) {
   for (const double bad : {0.0, -1e-3, std::numeric_limits<double>::quiet_NaN()}) {
     CableSolverOptions asked = options(Model::kAuto);

@@ -127,6 +127,23 @@ TEST_P(Auto, DoesNotJumpWhereItChangesItsRungs) {
   RecordProperty("rung_changes", changes);
 }
 
+// No model finer than the line knows the shape of what has neither weight nor stiffness.
+TEST(AutoAlone, SlackLinesWithoutWeightAreExact) {
+  RobotDescription robot = shippedRobot(ROBOT_DIR, "ipanema3");
+  for (CableDescription& cable : robot.cables) {
+    cable.properties.weight = 0.0;
+    cable.properties.bending_stiffness = 0.0;
+  }
+  RobotSolution home = solveInverse(robot, requestFor(robot, robot.home), patient(Model::kStraightElastic));
+  ASSERT_TRUE(home.report.status.ok()) << home.report.status.message;
+  std::vector<double> lengths = lengthsOf(home);
+  lengths.front() *= 1.1;
+  const RobotSolution found = forward(robot, lengths, robot.home, automatic(1e-6));
+  ASSERT_TRUE(found.report.status.ok()) << found.report.status.message;
+  EXPECT_EQ(found.cables.front().condition, Condition::kSlack);
+  EXPECT_LT(found.report.estimated_error, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shipped, Auto,
                          testing::Values("cogiro", "caroca", "ipanema3", "desktop_music_wire", "fast", "scampi",
                                          "paper_point_mass"),

@@ -68,7 +68,8 @@ TEST_P(FollowingByAuto, IsAsAccurateAsTheColdSolve) {
     last = rungs;
   }
   const bool lines = !last.empty() && isStraight(*std::max_element(last.begin(), last.end()));
-  EXPECT_TRUE(warm == 12 || lines || workspace_.robot != "cogiro") << warm;
+  // Rungs finer than needed go on; lines hold only where they hold with some to spare.
+  EXPECT_GE(warm, lines ? 0 : 9) << workspace_.robot;
 }
 
 std::string nameOf(const testing::TestParamInfo<std::tuple<Workspace, double>>& info) {

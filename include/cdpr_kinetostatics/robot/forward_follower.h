@@ -65,6 +65,7 @@ class ForwardFollower {
   bool warm_started_ = false;
   int iterations_ = 0;
   double solve_time_ = 0.0;
+  bool has_lines_ = false;
   double contraction_ = std::numeric_limits<double>::infinity();  // a step's size over the square of the one before
   int solves_since_measured_ = 0;
   Status status_;

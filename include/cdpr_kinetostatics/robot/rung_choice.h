@@ -34,6 +34,9 @@ class RungChoice {
   const std::vector<Model>& choose(const RobotDescription& robot, const RobotForces& state, double accuracy,
                                    const std::vector<Model>& kept);
 
+  // Whether the rungs in use serve at a state along a path: none need be finer, and not for long could any be coarser.
+  bool serve(const RobotDescription& robot, const RobotForces& state, double accuracy, const std::vector<Model>& used);
+
  private:
   bool estimate(const RobotDescription& robot, const RobotForces& state);
 
@@ -41,6 +44,7 @@ class RungChoice {
   std::vector<RungEffects> effects_;
   std::vector<std::size_t> needed_, ample_;  // into kAutoRungs
   std::vector<Model> rungs_;
+  int needlessly_fine_ = 0;  // states served in a row
 };
 
 // Makes each cable's rung one finer where there is a finer one. False if there was none.

@@ -17,6 +17,9 @@ constexpr double kLargestStepError = 4.0;
 // A determinant of less than this share of its terms is zero.
 constexpr double kRounding = 1e-15;
 
+// A force that turns farther has hardly a direction. [rad]
+constexpr double kLargestTurn = 0.5;
+
 Eigen::Vector2d feedback(const ShotState& state) { return {state.alpha, state.moment}; }
 
 }  // namespace
@@ -246,8 +249,19 @@ void MultipleShooting::step(const Eigen::Vector3d& change, double damping) {
   move(damping * factors(change), damping * change);
 }
 
+// Nodes turn with the force along the chord, (H, V - q L/2), as a light cable does: its angle and its size are what
+// they follow, not its components, whose second order would stretch a stiff cable.
 void MultipleShooting::follow(const Eigen::Vector3d& change) {
-  Eigen::Vector4d by = factors(change);
+  const Eigen::Vector2d weight_change(0.0, 0.5 * cable_.weight * change.z());
+  const Eigen::Vector2d old_force(force_.x(), force_.y() - 0.5 * cable_.weight * length_);
+  const Eigen::Vector2d new_force = old_force + change.head<2>() - weight_change;
+  const Eigen::Vector2d across(-old_force.y(), old_force.x());
+  const double turn = std::atan2(across.dot(new_force), old_force.dot(new_force));
+  Eigen::Vector3d followed = change;
+  if (std::abs(turn) < kLargestTurn && old_force.norm() > 0.0) {
+    followed.head<2>() = weight_change + (new_force.norm() / old_force.norm() - 1.0) * old_force + turn * across;
+  }
+  Eigen::Vector4d by = factors(followed);
   by[0] = 0.0;
   move(by, change);
 }

@@ -103,6 +103,25 @@ class Following : public testing::Test {
   RobotSolverOptions options_ = patient(Model::kBending, kTolerance);
 };
 
+// 10 mm turn the short wires of the desktop robot by some hundredths of a radian, and stiff wires forgive no error of
+// second order in that.
+TEST_F(Following, ShortStiffCablesTakeTwoLinearisations) {
+  const RobotDescription desktop = shippedRobot(ROBOT_DIR, "desktop_music_wire");
+  ForwardFollower follower(desktop, options_);
+  for (int i = 0; i <= 10; ++i) {
+    Pose pose = desktop.home;
+    pose.position += Eigen::Vector3d(0.01 * (i - 5), 0.004 * (i - 5), 0.0);
+    const RobotSolution inverse = solveInverse(desktop, requestFor(desktop, pose), options_);
+    ASSERT_TRUE(inverse.report.status.ok()) << inverse.report.status.message;
+    ForwardRequest request;
+    request.lengths = lengthsOf(inverse);
+    request.seed = pose;
+    ASSERT_TRUE(follower.solve(request).ok());
+    EXPECT_TRUE(follower.warmStarted() || i == 0) << i;
+    EXPECT_TRUE(follower.iterations() <= 2 || i == 0) << i << ": " << follower.iterations();
+  }
+}
+
 TEST_F(Following, LoadsMayChange) {
   ForwardRequest request = requestAt({0.0, 0.0, 1.5});
   ForwardFollower follower(robot_, options_);

@@ -261,6 +261,7 @@ void MultipleShooting::follow(const Eigen::Vector3d& change) {
   if (std::abs(turn) < kLargestTurn && old_force.norm() > 0.0) {
     followed.head<2>() = weight_change + (new_force.norm() / old_force.norm() - 1.0) * old_force + turn * across;
   }
+  work_ = {};
   Eigen::Vector4d by = factors(followed);
   by[0] = 0.0;
   move(by, change);

@@ -119,6 +119,9 @@ TEST_F(Following, ShortStiffCablesTakeTwoLinearisations) {
     ASSERT_TRUE(follower.solve(request).ok());
     EXPECT_TRUE(follower.warmStarted() || i == 0) << i;
     EXPECT_TRUE(follower.iterations() <= 2 || i == 0) << i << ": " << follower.iterations();
+    const RobotReport report = follower.solution().report;
+    EXPECT_GT(report.integrator_steps, 0);
+    EXPECT_LT(report.integrator_steps, 3000) << "of this solve alone";
   }
 }
 

@@ -68,6 +68,7 @@ class MultipleShooting {
 
   // Moves nodes and unknowns by change along the equilibria: by the derivatives of the last linearise() alone,
   // after whose step the nodes are taken to have converged.
+  // Counts work anew.
   void follow(const Eigen::Vector3d& change);
 
   // False if the steps of the last adaptive pass make larger errors here than they should, or the segments no longer

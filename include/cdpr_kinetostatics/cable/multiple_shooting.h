@@ -107,7 +107,7 @@ class MultipleShooting {
   bool hasShotBend() const { return shot_bend_; }
   // Integration steps of one pass.
   int steps() const;
-  // All integration since construction.
+  // All integration since construction or the last follow().
   const IntegrationWork& work() const { return work_; }
   // Goes back to an earlier state; the work done since stays counted.
   void restore(const MultipleShooting& earlier);

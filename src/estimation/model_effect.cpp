@@ -12,6 +12,11 @@ namespace {
 // A direction of the unknowns counts as fixed if more than this share of it is seen.
 constexpr double kRank = 1e-9;
 
+// An error of a rung below this many standard deviations does not show; that of one coarser than the rung in use must
+// be below this share of it.
+constexpr double kInvisible = 0.1;
+constexpr double kCoarserShare = 0.5;
+
 Eigen::Index count(const std::vector<bool>& flags) { return std::count(flags.begin(), flags.end(), true); }
 
 // A direction that the data cannot fix does not move. At a fixed pose and H the other end means another V and L, so the
@@ -61,19 +66,57 @@ const std::vector<Eigen::Matrix<double, 6, 2>>& poseByEnd(const MeasuredRobot& m
   return candidate->pose_by_end;
 }
 
+// More is available than there are unknowns: the pose and one H per cable.
+bool areChecked(const MeasuredRobot& measured) {
+  const Selection& available = measured.available;
+  return count(available.lengths) + count(available.tensions) + available.load.count() >
+         measured.robot.freedoms() + static_cast<Eigen::Index>(measured.robot.cables.size());
+}
+
+// What shows of a cable whose end lay elsewhere in (x, w), in its own length, its tension and the load, as far as they
+// are available [standard deviations/m]: the least that some H leaves, so no residual's test exceeds its norm
+// (docs/theory.md section 5).
+Eigen::Matrix<double, 8, 2> visibleByEnd(const MeasuredRobot& measured, const Candidate& candidate, std::size_t i) {
+  const EstimatorOptions& options = measured.options;
+  const SaggingCable& cable = candidate.adjusted.cables[i];
+  const CableLine line = cableLine(measured.robot.cables[i], candidate.adjusted.unknowns.pose);
+  Eigen::Matrix<double, 8, 3> by_state = Eigen::Matrix<double, 8, 3>::Zero();  // length, tension, load by (H, V, L)
+  if (measured.available.lengths[i]) by_state(0, 2) = 1.0 / options.length_stddev;
+  if (measured.available.tensions[i]) {
+    by_state.row(1) << cable.horizontalForce(), cable.verticalForceA(), 0.0;
+    by_state.row(1) /= cable.tensionA() * options.tension_stddev;
+  }
+  const Wrench weight = (measured.available.load.cast<double>() / options.load_stddev.array()).matrix();
+  const Wrench up = wrenchAt(line.arm, Eigen::Vector3d::UnitZ());
+  by_state.bottomRows<6>() << wrenchAt(line.arm, -line.direction), up, -measured.robot.cables[i].properties.weight * up;
+  by_state.bottomRows<6>() = weight.asDiagonal() * by_state.bottomRows<6>();
+
+  const Eigen::Matrix<double, 2, 3>& end = cable.end().jacobian;
+  const Eigen::Matrix2d by_end = -end.rightCols<2>().inverse();  // of (V, L)
+  Eigen::Matrix<double, 8, 2> visible = by_state.rightCols<2>() * by_end;
+  const Eigen::Matrix<double, 8, 1> by_h = by_state.col(0) + by_state.rightCols<2>() * by_end * end.col(0);
+  if (by_h.norm() > 0.0) visible -= by_h.normalized() * (by_h.normalized().transpose() * visible);
+  return visible;
+}
+
 }  // namespace
 
-std::vector<RungEffects> rungEffects(const MeasuredRobot& measured, Candidate* candidate) {
+std::vector<RungEffects> rungEffects(const MeasuredRobot& measured, Candidate* candidate,
+                                     const std::vector<Model>& kept) {
+  const bool checked = areChecked(measured);
   const std::vector<Eigen::Matrix<double, 6, 2>>& pose_by_end = poseByEnd(measured, candidate);
   const RobotForces& at = candidate->adjusted.unknowns;
   std::vector<RungEffects> effects(pose_by_end.size());
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const RungErrors errors =
         rungErrors(measured.robot.cables[i].properties, at.lengths[i], at.forces[i].horizontal, at.forces[i].vertical);
+    const Eigen::Matrix<double, 8, 2> visible = visibleByEnd(measured, *candidate, i);
     for (std::size_t r = 0; r < errors.size(); ++r) {
+      const bool coarser = !kept.empty() && kAutoRungs[r] < kept[i];
+      const double limit = (coarser ? kCoarserShare : 1.0) * kInvisible;
       effects[i].displacement[r] = pose_by_end[i] * errors[r].end;
       effects[i].displacement[r].tail<3>() *= measured.robot.platformRadius();
-      effects[i].known[r] = errors[r].known;
+      effects[i].known[r] = errors[r].known && !(checked && (visible * errors[r].end).norm() > limit);
     }
   }
   return effects;

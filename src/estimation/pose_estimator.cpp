@@ -53,19 +53,23 @@ Selection available(const RobotDescription& robot, const EstimatorOptions& optio
   return selection;
 }
 
-// AUTO: adjusts anew on finer rungs while those in use neglect too much; kept are those of the last estimate. Returns
-// the rungs for the next one, which may be coarser.
+// AUTO: adjusts anew on finer rungs while those in use neglect too much, and judges faults anew on the last; kept are
+// those of the last estimate. Returns the rungs for the next one, which may be coarser.
 std::vector<Model> adaptRungs(MeasuredRobot* measured, Candidate* candidate, const std::vector<Model>& kept) {
   std::vector<Model> wanted;
-  for (std::size_t attempt = 0; attempt < kAutoRungs.size() && candidate->adjusted.status.ok(); ++attempt) {
-    wanted = RungChoice().choose(rungEffects(*measured, candidate), measured->options.accuracy, kept);
+  bool judged = true;
+  for (std::size_t attempt = 0; attempt < 2 * kAutoRungs.size() && candidate->adjusted.status.ok(); ++attempt) {
+    wanted = RungChoice().choose(rungEffects(*measured, candidate, kept), measured->options.accuracy, kept);
     bool finer = false;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       finer = finer || wanted[i] > measured->rungs[i];
       measured->rungs[i] = std::max(measured->rungs[i], wanted[i]);
     }
-    if (!finer) break;
-    *candidate = adjust(*measured, candidate->adjusted.unknowns, candidate->selection);
+    if (!finer && judged) break;
+    const RobotForces at = candidate->adjusted.unknowns;
+    *candidate =
+        finer ? adjust(*measured, at, candidate->selection) : adjustFrom(*measured, at, leftOut(*measured, *candidate));
+    judged = !finer;
   }
   return wanted;
 }

@@ -85,5 +85,44 @@ INSTANTIATE_TEST_SUITE_P(Shipped, AutoEstimate,
                          testing::Values("cogiro", "caroca", "ipanema3", "desktop_music_wire", "scampi"),
                          [](const auto& robot) { return robot.param; });
 
+// What a coarse rung leaves out must never pass for a fault: not in the first estimate, nor ever after.
+TEST(AutoEstimateOnExactData, TakesNoModelErrorForAFault) {
+  for (const double stiffer : {1.0, 100.0}) {
+    SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "caroca", Model::kBending);
+    for (CableDescription& cable : simulated.robot.cables) cable.properties.bending_stiffness *= stiffer;
+    for (const Eigen::Vector3d& step : {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.2, -0.3, 0.2),
+                                        Eigen::Vector3d(-0.3, 0.2, -0.1), Eigen::Vector3d(0.1, 0.3, 0.3)}) {
+      Pose pose = simulated.robot.home;
+      pose.position += step;
+      ASSERT_TRUE(simulated.moveTo(pose));
+      const CableMeasurements exact = simulated.measure(simulated.truth, 0.0);
+      for (const double length_stddev : {1e-3, 1e-4, 1e-5}) {
+        for (const double tension_stddev : {5.0, 0.1}) {
+          for (const double accuracy : {1e-4, 0.1 * length_stddev}) {
+            EstimatorOptions options = simulated.estimator;
+            options.model = Model::kAuto;
+            options.length_stddev = length_stddev;
+            options.tension_stddev = tension_stddev;
+            options.accuracy = accuracy;
+            PoseEstimator estimator(simulated.robot, options);
+            for (int k = 0; k < 3; ++k) {
+              SCOPED_TRACE(testing::Message()
+                           << "EI x " << stiffer << ", pose " << step.transpose() << ", " << length_stddev << " m, "
+                           << tension_stddev << " N, accuracy " << accuracy << ", message " << k);
+              const Estimate found = estimator.update(exact);
+              ASSERT_TRUE(found.solution.report.status.ok()) << found.solution.report.status.message;
+              const std::vector<bool> none(simulated.robot.cables.size(), false);
+              EXPECT_EQ(found.length_outlier, none);
+              EXPECT_EQ(found.tension_outlier, none);
+              EXPECT_FALSE(found.load_outlier.any());
+              EXPECT_LE((found.solution.pose.position - simulated.truth.pose.position).norm(), accuracy);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

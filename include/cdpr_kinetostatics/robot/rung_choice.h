@@ -15,7 +15,7 @@
 namespace cdpr_kinetostatics {
 
 // Where the error of each rung that AUTO chooses from takes the platform, for one cable: translation [m], and rotation
-// times the platform's radius [m].
+// times the platform's radius [m]. A rung that is not known is not chosen; BENDING is.
 struct RungEffects {
   std::array<Wrench, kAutoRungCount> displacement;
   std::array<bool, kAutoRungCount> known;

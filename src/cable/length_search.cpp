@@ -9,6 +9,7 @@ namespace {
 constexpr int kMaxSamples = 400;
 constexpr int kMaxRefinements = 100;
 constexpr int kMaxHintSteps = 8;
+constexpr double kAtHint = 1e-9;
 
 // Growth of |L/chord - 1| from one sample of the curve to the next.
 constexpr double kGrowth = 0.2;
@@ -40,35 +41,38 @@ std::optional<TensionSample> refine(const TensionCurve& curve, TensionSample a, 
   return best;
 }
 
-// A root near the hint by Newton's method alone, if that leads to one.
-std::optional<double> rootNearHint(const TensionCurve& curve, const LengthSearch& search, double accepted) {
+// Tensions that differ by less are the same [N].
+double accepted(const LengthSearch& search) { return 0.01 * search.tolerance * search.tension; }
+
+}  // namespace
+
+std::optional<double> rootNearHint(const TensionCurve& curve, const LengthSearch& search) {
   double length = search.hint;
   for (int i = 0; i < kMaxHintSteps; ++i) {
     const std::optional<TensionSample> sample = curve(length);
     if (!sample || sample->slope == 0.0) return std::nullopt;
     const double excess = sample->tension - search.tension;
-    if (std::abs(excess) <= accepted) return length;
+    if (std::abs(excess) <= accepted(search)) return length;
     length -= excess / sample->slope;
     if (!(length > search.shortest && length < search.longest)) return std::nullopt;
   }
   return std::nullopt;
 }
 
-}  // namespace
+bool isAtHint(double length, const LengthSearch& search) {
+  return std::abs(length - search.hint) <= kAtHint * search.hint;
+}
 
 LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
   LengthFound found;
-  const double accepted = 0.01 * search.tolerance * search.tension;
+  const double same = accepted(search);
   double finest = 1e-6 * search.chord;
-  if (search.hint > 0.0) {  // a root nearby leaves only its mirror image about the hint to be searched
-    found.length = rootNearHint(curve, search, accepted);
-    if (found.length) {
-      const double reach = std::abs(*found.length - search.hint);
-      search.shortest = std::max(search.shortest, search.hint - reach * (1.0 + 1e-9));
-      search.longest = std::min(search.longest, search.hint + reach);
-      finest = std::max(finest, 0.25 * reach);
-      if (reach <= 1e-9 * search.hint) return found;
-    }
+  if (search.near_hint) {  // leaves only its mirror image about the hint to be searched
+    found.length = search.near_hint;
+    const double reach = std::abs(*found.length - search.hint);
+    search.shortest = std::max(search.shortest, search.hint - reach * (1.0 + 1e-9));
+    search.longest = std::min(search.longest, search.hint + reach);
+    finest = std::max(finest, 0.25 * reach);
   }
   std::optional<TensionSample> sample = curve(search.shortest);
   if (!sample) return {std::nullopt, 0.0, false};
@@ -96,7 +100,7 @@ LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
       return found;
     }
     found.least_tension = std::min(found.least_tension, sample->tension);
-    if (std::abs(sample->tension - search.tension) <= accepted) {
+    if (std::abs(sample->tension - search.tension) <= same) {
       offer(sample->length);
       finest = std::max(finest, kGrowth * std::abs(sample->length - search.chord));
       sample = curve(std::min(sample->length + 0.01 * finest, search.longest));
@@ -105,15 +109,15 @@ LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
     }
     std::optional<TensionSample> root;
     if ((above > 0.0) != (sample->tension > search.tension)) {
-      root = refine(curve, last, *sample, accepted, excess);
+      root = refine(curve, last, *sample, same, excess);
     } else if (above > 0.0 && last.slope < 0.0 && sample->slope > 0.0) {
       const std::optional<TensionSample> fold = refine(curve, last, *sample, 0.0, slope);
       if (!fold) continue;
       found.least_tension = std::min(found.least_tension, fold->tension);
       if (fold->tension > search.tension) continue;
-      root = refine(curve, last, *fold, accepted, excess);
+      root = refine(curve, last, *fold, same, excess);
       if (root) offer(root->length);
-      root = refine(curve, *fold, *sample, accepted, excess);
+      root = refine(curve, *fold, *sample, same, excess);
     }
     if (root) offer(root->length);
   }

@@ -75,6 +75,8 @@ class ForcesAlongLength {
   ForcesAlongLength(const CableProperties& seen, const CableSolverOptions& options, double x, double w)
       : cable_(seen), options_(options), x_(x), w_(w) {}
 
+  const CableProperties& cable() const { return cable_; }
+
   bool solve(double length) {
     if (bends(cable_, options_.model)) return bend(length);
     length_ = length;
@@ -194,6 +196,22 @@ double tautLength(const CableProperties& cable, double x, double w, double tensi
   return chord / (1.0 + tension / cable.axial_stiffness);
 }
 
+CableSolution atLengthFound(double length, double tension_a, const CableSolverOptions& options,
+                            ForcesAlongLength* problem) {
+  if (!problem->solve(length)) {
+    return refusal(options.model, {Code::kNotConverged, "the cable could not be solved at the length found"});
+  }
+  const CableSolution solution = problem->describe(options.profile_points);
+  // The length's own rounding moves the tension of a stiff cable.
+  const double axial_stiffness = problem->cable().axial_stiffness;
+  const double rounding = std::isfinite(axial_stiffness) ? 1e-14 * axial_stiffness : 0.0;
+  const double accepted = std::max(options.tolerance, kTensionFound) * tension_a;
+  if (std::abs(solution.tension_a - tension_a) > accepted + rounding) {
+    return refusal(options.model, {Code::kNotConverged, "the length found does not give the tension asked for"});
+  }
+  return solution;
+}
+
 }  // namespace
 
 CableSolution positionOnRung(const CableProperties& properties, double length, double h, double v,
@@ -280,8 +298,6 @@ CableSolution lengthOnRung(const CableProperties& properties, double x, double w
     if (const auto string = stringLength(cable, x, w, tension_a, length_hint, options)) return *string;
   }
 
-  ForcesAlongLength problem(cable, options, x, w);
-  const TensionCurve curve = [&](double length) { return problem.sample(length); };
   LengthSearch search;
   search.tension = tension_a;
   search.chord = chord;
@@ -290,6 +306,16 @@ CableSolution lengthOnRung(const CableProperties& properties, double x, double w
   search.longest = 4.0 * chord;
   if (cable.weight > 0.0) search.longest = 2.0 * chord + 1.2 * (2.0 * tension_a / cable.weight + chord);
   if (isStraight(options.model)) search.longest = chord * (1.0 - 1e-15);
+  // From the hint's own shape: one followed from far away may be another.
+  ForcesAlongLength at_hint(cable, options, x, w);
+  if (length_hint > 0.0) {
+    search.near_hint = rootNearHint([&](double length) { return at_hint.sample(length); }, search);
+    if (search.near_hint && isAtHint(*search.near_hint, search)) {
+      return atLengthFound(*search.near_hint, tension_a, options, &at_hint);
+    }
+  }
+  ForcesAlongLength problem(cable, options, x, w);
+  const TensionCurve curve = [&](double length) { return problem.sample(length); };
   double more = isBending(options.model) ? 0.02 : 2.0 + cable.weight * chord / tension_a;
   for (int i = 0; i < 20; ++i, more *= 4.0) {
     search.shortest = tautLength(cable, x, w, tension_a * (1.0 + more), options);
@@ -306,17 +332,7 @@ CableSolution lengthOnRung(const CableProperties& properties, double x, double w
     if (found.complete) return belowLeastTension(options.model, tension_a, found.least_tension);
     return refusal(options.model, {Code::kNotConverged, "the tension could not be followed along the length"});
   }
-  if (!problem.solve(*found.length)) {
-    return refusal(options.model, {Code::kNotConverged, "the cable could not be solved at the length found"});
-  }
-  const CableSolution solution = problem.describe(options.profile_points);
-  // The length's own rounding moves the tension of a stiff cable.
-  const double rounding = std::isfinite(cable.axial_stiffness) ? 1e-14 * cable.axial_stiffness : 0.0;
-  const double accepted = std::max(options.tolerance, kTensionFound) * tension_a;
-  if (std::abs(solution.tension_a - tension_a) > accepted + rounding) {
-    return refusal(options.model, {Code::kNotConverged, "the length found does not give the tension asked for"});
-  }
-  return solution;
+  return atLengthFound(*found.length, tension_a, options, found.length == search.near_hint ? &at_hint : &problem);
 }
 
 }  // namespace cdpr_kinetostatics

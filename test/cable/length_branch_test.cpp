@@ -177,5 +177,18 @@ TEST(LengthBranches, AHintOfTheBranchAboveItsMinimumFallsBackToTheNearestThatExi
   EXPECT_LT(s.length / chord, 1.0234);
 }
 
+// A thin beam bent into a loop: a shape followed from the taut side would be another, and so its tension.
+TEST(LengthOfABeam, TheHintIsTakenByItsOwnShape) {
+  const CableProperties beam{77.825, 32043.6, 0.00160145};
+  const double length = 203.215;
+  const CableSolution bent = findForces(beam, length, 30.4423, 49.9919, options(Model::kBending));
+  ASSERT_TRUE(bent.status.ok()) << bent.status.message;
+  const CableSolution found =
+      findLength(beam, 30.4423, 49.9919, bent.tension_a, 1.000001 * length, options(Model::kBending));
+  ASSERT_TRUE(found.status.ok()) << found.status.message;
+  EXPECT_NEAR(found.length, length, 1e-8 * length);
+  EXPECT_NEAR(found.horizontal_force, bent.horizontal_force, 1e-7 * bent.tension_a);
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -20,7 +20,8 @@ constexpr double kLargestTurn = 0.5;  // of a node in one iteration [rad]
 constexpr double kLayerDensity = 0.8;
 constexpr double kTurnDensity = 1.5;
 constexpr double kLeastIntervals = 6.0;
-constexpr double kFiner = 1.6;  // of the second mesh
+constexpr double kFiner = 1.6;   // of the second mesh
+constexpr double kFinest = 8.0;  // of the third, for stability alone
 // Order 12 forgives intervals that grow with the distance z, in layers, from the end as exp(z/13).
 constexpr double kLayerGrowth = 13.0;
 
@@ -433,7 +434,12 @@ VerifiedCable verify(const ClaimedCable& claim, Kept kept) {
   result.angle_b = fine.angleB();
   result.force_error = (fine.force() - coarse.force()).norm();
   result.end_error = (fine.end() - coarse.end()).norm();
+  // Near a bifurcation the second variation needs more points than the shape.
   result.stable = fine.stable();
+  if (!result.stable) {
+    Collocation finest(better, kFinest);
+    result.stable = finest.solve(kept) && finest.stable();
+  }
   result.area_below_chord = fine.areaBelowChord();
   result.turning = fine.angleB() - fine.angleA();
   result.compliance = fine.compliance();

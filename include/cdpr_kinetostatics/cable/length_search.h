@@ -21,12 +21,13 @@ struct TensionSample {
 using TensionCurve = std::function<std::optional<TensionSample>(double length)>;
 
 struct LengthSearch {
-  double tension = 0.0;     // asked for [N]
-  double chord = 0.0;       // [m]
-  double shortest = 0.0;    // search from here: T_A must be above the tension asked for [m]
-  double longest = 0.0;     // to here [m]
-  double hint = 0.0;        // the root nearest to it is wanted, if positive; else the shortest
-  double tolerance = 1e-9;  // relative, of the tension
+  double tension = 0.0;             // asked for [N]
+  double chord = 0.0;               // [m]
+  double shortest = 0.0;            // search from here: T_A must be above the tension asked for [m]
+  double longest = 0.0;             // to here [m]
+  double hint = 0.0;                // the root nearest to it is wanted, if positive; else the shortest
+  std::optional<double> near_hint;  // a root known already
+  double tolerance = 1e-9;          // relative, of the tension
 };
 
 struct LengthFound {
@@ -34,6 +35,12 @@ struct LengthFound {
   double least_tension = 0.0;  // least T_A seen [N]
   bool complete = true;        // false: the curve could not be followed to the end
 };
+
+// A root near the hint by Newton's method alone, if that leads to one.
+std::optional<double> rootNearHint(const TensionCurve& curve, const LengthSearch& search);
+
+// A root this near to the hint has no other one nearer.
+bool isAtHint(double length, const LengthSearch& search);
 
 LengthFound searchLength(const TensionCurve& curve, LengthSearch search);
 

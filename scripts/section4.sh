@@ -1,5 +1,5 @@
 #!/bin/bash
-# Everything in docs/section4.md: builds, solves, checks against the independent solver, times, draws.   [3 minutes]
+# Everything in docs/section4.md: builds, solves, checks against the independent solver, times, draws.   [2 minutes]
 #     scripts/section4.sh [--quick]      --quick: fewer points, no pictures: does it all still run?   [half a minute]
 # Results go to section4/ in the workspace, pictures to docs/images.
 set -euo pipefail

@@ -37,14 +37,6 @@ void countRungs(const RobotSolution& solution, Outcome* outcome) {
   }
 }
 
-RobotSolution forward(const RobotDescription& robot, const std::vector<double>& lengths, const Pose& seed,
-                      const RobotSolverOptions& options) {
-  ForwardRequest request;
-  request.lengths = lengths;
-  request.seed = seed;
-  return solveForward(robot, request, options);
-}
-
 // Poses across the workspace, tensions from slack to limit, EI over four decades, accuracies over four.
 struct Scene {
   RobotDescription robot;

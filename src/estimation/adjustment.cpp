@@ -2,11 +2,11 @@
 
 #include <ceres/ceres.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "adjustment_statistics.h"
+#include "cdpr_kinetostatics/robot/coupled_newton.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -35,11 +35,6 @@ Eigen::MatrixXd dense(const ceres::CRSMatrix& sparse) {
     for (int k = sparse.rows[row]; k < sparse.rows[row + 1]; ++k) matrix(row, sparse.cols[k]) = sparse.values[k];
   }
   return matrix;
-}
-
-// Of the symmetric part.
-bool isNegativeDefinite(const Eigen::MatrixXd& matrix) {
-  return (-0.5 * (matrix + matrix.transpose())).llt().info() == Eigen::Success;
 }
 
 }  // namespace
@@ -118,7 +113,7 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   Eigen::MatrixXd load(freedoms, jacobian.cols());
   load << balance.by_pose.topLeftCorner(freedoms, freedoms), balance.by_density.topRows(freedoms);
   analyse(jacobian, load, &adjusted);
-  adjusted.stable = isNegativeDefinite(cost->stiffness(balance).topLeftCorner(freedoms, freedoms));
+  adjusted.stable = isStable(robot, cost->stiffness(balance));
   return adjusted;
 }
 

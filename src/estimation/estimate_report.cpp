@@ -19,12 +19,9 @@ constexpr double kUnobservable = 1.0;
 void fillCables(const MeasuredRobot& measured, Candidate* candidate, Estimate* estimate) {
   const Adjusted& adjusted = candidate->adjusted;
   const RobotDescription& robot = measured.robot;
-  std::vector<CableSolution> cables;
-  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CableLine line = cableLine(robot.cables[i], adjusted.unknowns.pose);
-    cables.push_back(adjusted.cables[i].describe(line.x, line.w, measured.options.profile_points));
-  }
-  assemble(robot, estimate->load, cables, &estimate->solution);
+  assemble(robot, estimate->load,
+           describeCables(robot, adjusted.unknowns.pose, adjusted.cables, measured.options.profile_points),
+           &estimate->solution);
   reportEffect(measured, candidate, &estimate->solution);
 }
 

@@ -13,8 +13,6 @@ constexpr int kMaxClosureIterations = 30;
 constexpr int kAdaptiveIterations = 10;
 constexpr double kFreezeBelow = 1e-3;
 
-constexpr double kBeside = 1e-9;
-
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Rotation vector of a small change of the quaternion's coefficients: w = 2 (dq conj(q)).vec.
@@ -25,8 +23,6 @@ Eigen::Matrix<double, 3, 4> rotationByQuaternion(const Eigen::Quaterniond& q) {
 }
 
 }  // namespace
-
-double distanceBeside(const CableLine& line, double length) { return std::max(line.x, kBeside * length); }
 
 MeasurementCost::MeasurementCost(const RobotDescription& robot, const EstimatorOptions& options,
                                  const CableMeasurements& measurements, const Selection& selection,

@@ -24,9 +24,6 @@ constexpr double kNoSolution = 1e-6;
 // The springs' pose is a start for the catenaries': this much of the span is near enough.
 constexpr double kSpringTolerance = 1e-4;
 
-// B below A is taken this share of the length beside it.
-constexpr double kBeside = 1e-9;
-
 // The robot's span and the load: Ceres scales columns and bounds its damping by absolute numbers, so the search runs
 // where both are 1.
 struct Units {
@@ -82,7 +79,7 @@ ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& 
     if (catenary && catenary->horizontal > 0.0) return *catenary;
   }
   const double share = std::max(robot.weight() / robot.freedoms(), 10.0 * cable_weight);
-  const double x = std::max(line.x, kBeside * length);
+  const double x = distanceBeside(line, length);
   return {share * x / chord, 0.5 * cable_weight - share * line.w / chord};
 }
 
@@ -109,7 +106,7 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   std::vector<std::array<double, 2>> forces(count);
   std::vector<double> lengths(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * state->lengths[i]);
+    const double x = distanceBeside(cableLine(robot.cables[i], state->pose), state->lengths[i]);
     lengths[i] = state->lengths[i] / units.length;
     forces[i] = {state->forces[i].horizontal / x * units.length / units.force, state->forces[i].vertical / units.force};
   }
@@ -155,7 +152,7 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   state->pose.position = units.length * position;
   state->pose.orientation = orientation.normalized();
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = std::max(cableLine(robot.cables[i], state->pose).x, kBeside * state->lengths[i]);
+    const double x = distanceBeside(cableLine(robot.cables[i], state->pose), state->lengths[i]);
     state->forces[i] = {units.force / units.length * forces[i][0] * x, units.force * forces[i][1]};
   }
   if (std::chrono::steady_clock::now() > deadline) {

@@ -204,6 +204,16 @@ void CoupledNewton::step(CoupledState* state) const {
   }
 }
 
+void readForces(const CoupledState& state, RobotForces* forces) {
+  forces->pose = state.pose;
+  forces->lengths.clear();
+  forces->forces.clear();
+  for (const SaggingCable& cable : state.cables) {
+    forces->lengths.push_back(cable.length());
+    forces->forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
+  }
+}
+
 CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& external, const CoupledOptions& options,
                             CoupledState* state) {
   CoupledOutcome outcome;
@@ -241,6 +251,11 @@ bool isStable(const RobotDescription& robot, const Matrix6& stiffness) {
   const int n = robot.freedoms();
   const MatrixOfFreedoms hessian = -0.5 * (stiffness + stiffness.transpose()).topLeftCorner(n, n);
   return hessian.llt().info() == Eigen::Success;
+}
+
+bool isOnBranch(const RobotDescription& robot, const Matrix6& stiffness, const CoupledState& state) {
+  return isStable(robot, stiffness) && std::all_of(state.cables.begin(), state.cables.end(),
+                                                   [](const SaggingCable& cable) { return cable.onBranch(); });
 }
 
 }  // namespace cdpr_kinetostatics

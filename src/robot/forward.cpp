@@ -111,10 +111,8 @@ class ForwardSolve {
   }
 
   RobotForces reached() const {
-    RobotForces forces{state_.pose, request_.lengths, {}};
-    for (const SaggingCable& cable : state_.cables) {
-      forces.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
-    }
+    RobotForces forces;
+    readForces(state_, &forces);
     return forces;
   }
 
@@ -161,12 +159,8 @@ class ForwardSolve {
     solution.pose = state_.pose;
     solution.report.status = outcome_.status;
     solution.report.iterations = iterations_;
-    std::vector<CableSolution> cables;
-    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-      const CableLine line = cableLine(robot_.cables[i], state_.pose);
-      cables.push_back(state_.cables[i].describe(line.x, line.w, options_.profile_points));
-    }
-    assemble(robot_, request_.external_wrench, cables, &solution);
+    assemble(robot_, request_.external_wrench,
+             describeCables(robot_, state_.pose, state_.cables, options_.profile_points), &solution);
     if (options_.compute_stiffness) solution.stiffness = outcome_.stiffness;
     return solution;
   }

@@ -50,7 +50,7 @@ bool ForwardFollower::follow(const ForwardRequest& request) {
     if (!(length > 0.0)) return false;
   }
   if (!(newton_.predict(request.lengths, request.external_wrench, &state_) < kLongestReach)) return false;
-  return converge(request.external_wrench) && onBranch() && rungsServe();
+  return converge(request.external_wrench) && isOnBranch(robot_, newton_.stiffness(), state_) && rungsServe();
 }
 
 // From a state near the solution. Integration steps are chosen anew where the old ones do not serve.
@@ -74,20 +74,9 @@ bool ForwardFollower::converge(const Wrench& external) {
   return false;
 }
 
-bool ForwardFollower::onBranch() const {
-  return isStable(robot_, newton_.stiffness()) &&
-         std::all_of(state_.cables.begin(), state_.cables.end(), [](const SaggingCable& c) { return c.onBranch(); });
-}
-
 bool ForwardFollower::rungsServe() {
   if (options_.model != Model::kAuto) return true;
-  reached_.pose = state_.pose;
-  reached_.lengths.clear();
-  reached_.forces.clear();
-  for (const SaggingCable& cable : state_.cables) {
-    reached_.lengths.push_back(cable.length());
-    reached_.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
-  }
+  readForces(state_, &reached_);
   return choice_.serve(robot_, reached_, options_.accuracy, rungs_);
 }
 
@@ -113,7 +102,7 @@ bool ForwardFollower::adopt(const RobotSolution& solution, const Wrench& externa
     const BendingOptions bending{options_.tolerance};
     if (!adopted.startBetween(cable.length, cable.x, cable.w, bending).ok()) return false;
   }
-  return converge(external) && onBranch();
+  return converge(external) && isOnBranch(robot_, newton_.stiffness(), state_);
 }
 
 RobotSolution ForwardFollower::solution() const {
@@ -123,12 +112,7 @@ RobotSolution ForwardFollower::solution() const {
   solution.report.status = status_;
   solution.report.iterations = iterations_;
   solution.report.solve_time = solve_time_;
-  std::vector<CableSolution> cables;
-  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-    const CableLine line = cableLine(robot_.cables[i], state_.pose);
-    cables.push_back(state_.cables[i].describe(line.x, line.w, options_.profile_points));
-  }
-  assemble(robot_, external_, cables, &solution);
+  assemble(robot_, external_, describeCables(robot_, state_.pose, state_.cables, options_.profile_points), &solution);
   if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
   if (options_.compute_stiffness) solution.stiffness = newton_.stiffness();
   return solution;

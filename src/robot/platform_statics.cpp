@@ -1,5 +1,6 @@
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cdpr_kinetostatics {
@@ -10,6 +11,9 @@ constexpr double kVertical = 1e-12;
 
 // Nearer than this share H/x loses its digits.
 constexpr double kNearlyVertical = 1e-9;
+
+// B above or below A is taken this share of the length beside it.
+constexpr double kBeside = 1e-9;
 
 }  // namespace
 
@@ -23,6 +27,8 @@ CableLine cableLine(const CableDescription& cable, const Pose& pose) {
                                                          : Eigen::Vector3d::UnitX();
   return line;
 }
+
+double distanceBeside(const CableLine& line, double length) { return std::max(line.x, kBeside * length); }
 
 Eigen::Vector3d forceOnPlatform(const CableLine& line, double horizontal_force, double vertical_force_a,
                                 double cable_weight) {

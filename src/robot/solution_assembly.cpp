@@ -69,6 +69,16 @@ Status checkPose(const Pose& pose) {
   return {Code::kConverged, ""};
 }
 
+std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,
+                                          const std::vector<SaggingCable>& cables, int profile_points) {
+  std::vector<CableSolution> solutions;
+  for (std::size_t i = 0; i < cables.size(); ++i) {
+    const CableLine line = cableLine(robot.cables[i], pose);
+    solutions.push_back(cables[i].describe(line.x, line.w, profile_points));
+  }
+  return solutions;
+}
+
 void assemble(const RobotDescription& robot, const Wrench& external, const std::vector<CableSolution>& cables,
               RobotSolution* solution) {
   RobotReport& report = solution->report;

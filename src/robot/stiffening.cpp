@@ -39,12 +39,6 @@ bool startCables(const RobotDescription& robot, const std::vector<double>& lengt
   return true;
 }
 
-bool isOnBranch(const RobotDescription& robot, const CoupledOutcome& outcome, const CoupledState& state) {
-  return outcome.status.ok() && isStable(robot, outcome.stiffness) &&
-         std::all_of(state.cables.begin(), state.cables.end(),
-                     [](const SaggingCable& cable) { return cable.onBranch(); });
-}
-
 }  // namespace
 
 CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
@@ -70,7 +64,7 @@ CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, co
       outcome = solveCoupled(soft, external, options, &there);
     }
     iterations += outcome.iterations;
-    const bool on_branch = isOnBranch(soft, outcome, there);
+    const bool on_branch = outcome.status.ok() && isOnBranch(soft, outcome.stiffness, there);
     if (on_branch) {
       *state = std::move(there);
       reached = next;

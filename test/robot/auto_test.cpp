@@ -18,14 +18,6 @@ RobotSolverOptions automatic(double accuracy, double tolerance = 1e-8) {
   return options;
 }
 
-RobotSolution forward(const RobotDescription& robot, const std::vector<double>& lengths, const Pose& seed,
-                      const RobotSolverOptions& options) {
-  ForwardRequest request;
-  request.lengths = lengths;
-  request.seed = seed;
-  return solveForward(robot, request, options);
-}
-
 double apart(const RobotSolution& a, const RobotSolution& b) { return (a.pose.position - b.pose.position).norm(); }
 
 std::vector<Model> rungsOf(const RobotSolution& solution) {

@@ -87,6 +87,14 @@ InverseRequest requestFor(const RobotDescription& robot, const Pose& pose) {
   return request;
 }
 
+RobotSolution forward(const RobotDescription& robot, const std::vector<double>& lengths, const Pose& seed,
+                      const RobotSolverOptions& options) {
+  ForwardRequest request;
+  request.lengths = lengths;
+  request.seed = seed;
+  return solveForward(robot, request, options);
+}
+
 bool samePose(const Pose& a, const Pose& b, double tolerance) {
   return (a.position - b.position).norm() < tolerance && a.orientation.angularDistance(b.orientation) < tolerance;
 }

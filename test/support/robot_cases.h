@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
@@ -48,6 +49,9 @@ RobotSolverOptions patient(Model model, double tolerance = 1e-8);
 
 // The pose as a request; fewer cables than freedoms of a rigid body leave the attitude to equilibrium.
 InverseRequest requestFor(const RobotDescription& robot, const Pose& pose);
+
+RobotSolution forward(const RobotDescription& robot, const std::vector<double>& lengths, const Pose& seed,
+                      const RobotSolverOptions& options);
 
 // Position and rotation within tolerance [m], [rad].
 bool samePose(const Pose& a, const Pose& b, double tolerance);

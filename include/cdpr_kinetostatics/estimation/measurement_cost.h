@@ -25,10 +25,6 @@
 
 namespace cdpr_kinetostatics {
 
-// Horizontal distance of B from A as it counts here [m]: never 0, where H and its density would say nothing of each
-// other. B above or below A is taken a 1e-9th of the length beside it.
-double distanceBeside(const CableLine& line, double length);
-
 // The wrench that is left over on the platform, cables and weight, and how it changes.
 struct LoadBalance {
   Wrench total;

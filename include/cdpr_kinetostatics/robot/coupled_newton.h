@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/sagging_cable.h"
+#include "cdpr_kinetostatics/robot/basin_search.h"
 #include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
@@ -20,6 +21,9 @@ struct CoupledState {
   Pose pose;
   std::vector<SaggingCable> cables;  // in the robot's order; rungs may differ
 };
+
+// Pose, lengths and forces alone; allocates nothing if forces has held as many cables before.
+void readForces(const CoupledState& state, RobotForces* forces);
 
 // Whether bending cables choose their integration steps anew: never, all, or those whose steps no longer serve.
 enum class Steps { kKept, kNew, kNewWhereDue };
@@ -98,5 +102,8 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
 
 // True if no motion of the platform is unstable: the symmetric part of the stiffness is negative definite.
 bool isStable(const RobotDescription& robot, const Eigen::Matrix<double, 6, 6>& stiffness);
+
+// The same, and every cable in its sagging equilibrium.
+bool isOnBranch(const RobotDescription& robot, const Eigen::Matrix<double, 6, 6>& stiffness, const CoupledState& state);
 
 }  // namespace cdpr_kinetostatics

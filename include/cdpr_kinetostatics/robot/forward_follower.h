@@ -49,7 +49,6 @@ class ForwardFollower {
  private:
   bool follow(const ForwardRequest& request);
   bool converge(const Wrench& external);
-  bool onBranch() const;
   bool rungsServe();
   void startCold(const ForwardRequest& request);
   bool adopt(const RobotSolution& solution, const Wrench& external);

@@ -16,6 +16,10 @@ struct CableLine {
 
 CableLine cableLine(const CableDescription& cable, const Pose& pose);
 
+// Horizontal distance of B from A where H and its density H/x stand for each other [m]: never 0, B above or below A is
+// taken a 1e-9th of the length beside it.
+double distanceBeside(const CableLine& line, double length);
+
 // Force of a cable on the platform: -H e + (V - q L) z [N].
 Eigen::Vector3d forceOnPlatform(const CableLine& line, double horizontal_force, double vertical_force_a,
                                 double cable_weight);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cdpr_kinetostatics/cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
 
@@ -16,6 +17,10 @@ RobotSolution refusedRobot(Model model, const Status& status);
 Status checkRobotOptions(const RobotSolverOptions& options);
 Status checkWrench(const RobotDescription& robot, const Wrench& external);
 Status checkPose(const Pose& pose);
+
+// Cable i between its anchor and the platform at the pose, with so many profile points.
+std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,
+                                          const std::vector<SaggingCable>& cables, int profile_points);
 
 // cables[i].cable describes cable i at the pose; fills names, conditions, world forces and profiles, and
 // the report's residuals.

@@ -1,5 +1,5 @@
 // Is AUTO as accurate as it says? Random scenes of every shipped robot, against BENDING at a tolerance of 1e-11.
-//   auto_honesty [--scenes N] [--csv FILE] [--quick]      N answers; scripts/plot_auto.py draws them
+//   auto_honesty [--scenes N] [--csv FILE] [--quick]      N answers; scripts/studies/plot_auto.py draws them
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

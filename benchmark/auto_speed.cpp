@@ -17,8 +17,8 @@
 #include "robot_cases.h"
 #include "support/benchmark_report.h"
 #include "support/ceres_yardstick.h"
-#include "support/timing.h"
 #include "support/workspace_path.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -13,7 +13,7 @@
 #include "sundials/cvodes_shot.h"
 #include "support/benchmark_report.h"
 #include "support/converged_shots.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -32,7 +32,7 @@ struct Candidate {
   Run run;
 };
 
-Eigen::Vector4d vectorOf(const ShotState& state) { return {state.alpha, state.moment, state.x, state.w}; }
+Eigen::Vector4d vectorOf(const ShotState& state) { return {state.alpha, state.moment, state.x, state.y}; }
 
 // shoot(problem, shot): false where the shot is rejected.
 template <typename Shoot>

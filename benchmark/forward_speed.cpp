@@ -18,8 +18,8 @@
 #include "robot_cases.h"
 #include "support/bare_integration.h"
 #include "support/benchmark_report.h"
-#include "support/timing.h"
 #include "support/workspace_path.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -37,7 +37,7 @@ KnownCable known(const CableDescription& description, const CableSolution& cable
   KnownCable result{description.properties, cable.length, cable.horizontal_force, cable.vertical_force_a, {}};
   CableSolverOptions with_profile = options;
   with_profile.profile_points = nodesFor(result, kNodeSpacing);
-  result.nodes = findForces(description.properties, cable.length, cable.x, cable.w, with_profile).profile;
+  result.nodes = findForces(description.properties, cable.length, cable.x, cable.y, with_profile).profile;
   return result;
 }
 
@@ -100,7 +100,7 @@ Row measure(const std::string& name, int steps) {
     for (std::size_t k = 0; k < passes.size(); ++k) {
       const KnownCable& cable = path[i].cables[k];
       row.bare_steps += passes[k].steps / static_cast<double>(steps);
-      const double error = std::hypot(passes[k].x - cable.nodes.back().x, passes[k].w - cable.nodes.back().w);
+      const double error = std::hypot(passes[k].x - cable.nodes.back().x, passes[k].y - cable.nodes.back().y);
       row.bare_error = std::max(row.bare_error, error / cable.length);
       row.layers_low = std::min(row.layers_low, layersOf(cable));
       row.layers_high = std::max(row.layers_high, layersOf(cable));

@@ -6,7 +6,7 @@
 #include "counted_allocations.h"
 #include "node_path.h"
 #include "support/benchmark_report.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -11,7 +11,7 @@
 #include "known_cables.h"
 #include "robot_cases.h"
 #include "support/benchmark_report.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -90,12 +90,12 @@ void growWithCables(BenchmarkReport* report) {
 // The same rope as CoGiRo's, with the bending stiffness that gives kappa L.
 void growWithLayers(BenchmarkReport* report) {
   constexpr double kX = 8.0;
-  constexpr double kW = -4.0;
+  constexpr double kY = -4.0;
   CableProperties cable = steelRope();
   CableSolverOptions options;
   const double tension = 500.0;
   options.model = Model::kCatenary;
-  const double length = findLength(cable, kX, kW, tension, 0.0, options).length;
+  const double length = findLength(cable, kX, kY, tension, 0.0, options).length;
   options.model = Model::kBending;
   std::printf("one cable, its forces\n%10s %12s\n", "kappa L", "us");
   double least = 0.0;
@@ -104,7 +104,7 @@ void growWithLayers(BenchmarkReport* report) {
     cable.bending_stiffness = tension * std::pow(length / layers, 2);
     CableSolution solution;
     const double time =
-        medianTime(report->quick() ? 5 : 301, [&] { solution = findForces(cable, length, kX, kW, options); });
+        medianTime(report->quick() ? 5 : 301, [&] { solution = findForces(cable, length, kX, kY, options); });
     if (!solution.status.ok()) throw std::runtime_error(solution.status.message);
     std::printf("%10.0f %12.1f\n", layers, 1e6 * time);
     least = least == 0.0 ? time : std::min(least, time);

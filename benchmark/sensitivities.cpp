@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "cdpr_kinetostatics/cable/shot.h"
-#include "cdpr_kinetostatics/robot/coupled_newton.h"
+#include "cable/shot.h"
+#include "robot/coupled_newton.h"
 #include "robot_cases.h"
 #include "shots/derivative_shots.h"
 #include "support/benchmark_report.h"
 #include "support/converged_shots.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 // The package's shots under names of their own.
 #define shootAdaptive analyticShootAdaptive
@@ -87,7 +87,7 @@ void requireSame(const ShotProblem& problem) {
     }
     const double end = std::max({std::abs(shots[i].end.alpha - shots[0].end.alpha),
                                  std::abs(shots[i].end.moment - shots[0].end.moment),
-                                 std::abs(shots[i].end.x - shots[0].end.x), std::abs(shots[i].end.w - shots[0].end.w)});
+                                 std::abs(shots[i].end.x - shots[0].end.x), std::abs(shots[i].end.y - shots[0].end.y)});
     const double derivative = (shots[i].sensitivity - shots[0].sensitivity).lpNorm<Eigen::Infinity>() /
                               shots[0].sensitivity.lpNorm<Eigen::Infinity>();
     if (grids[i].size() != grids[0].size() || end > 1e-11 || derivative > (i == 2 ? 1e-5 : 1e-11)) {
@@ -153,8 +153,8 @@ Path pathOf(const std::string& name, int steps) {
     for (std::size_t k = 0; k < there.cables.size(); ++k) {
       const CableSolution& known = there.cables[k].cable;
       path.start.cables.emplace_back(path.robot.cables[k].properties, Model::kBending, kTolerance);
-      const BendingOptions options{kTolerance};
-      if (!path.start.cables.back().startBetween(known.length, known.x, known.w, options).ok()) {
+      const SolveLimits options{kTolerance};
+      if (!path.start.cables.back().startBetween(known.length, known.x, known.y, options).ok()) {
         throw std::runtime_error("a cable of " + name + " could not be started");
       }
     }

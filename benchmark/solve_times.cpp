@@ -1,6 +1,6 @@
-// Times of this package's solvers for scripts/compare_scipy.py (docs/performance.md, item 6).
+// Times of this package's solvers for scripts/studies/compare_scipy.py (docs/performance.md, item 6).
 //
-//     solve_times cables                  from lines "EA EI q L x w" of the input; prints CSV
+//     solve_times cables                  from lines "EA EI q L x y" of the input; prints CSV
 //     solve_times robot FILE dx dy dz     home displaced by (dx, dy, dz) [m], found again from home, cold (from the
 //                                         pose alone) and warm (from the solution there); prints JSON
 #include <cmath>
@@ -16,7 +16,7 @@
 #include "cdpr_kinetostatics/robot/forward_follower.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
 #include "robot_cases.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -32,12 +32,12 @@ void timeCables() {
   CableProperties cable;
   double length = 0.0;
   double x = 0.0;
-  double w = 0.0;
-  for (int i = 0; std::cin >> cable.axial_stiffness >> cable.bending_stiffness >> cable.weight >> length >> x >> w;
+  double y = 0.0;
+  for (int i = 0; std::cin >> cable.axial_stiffness >> cable.bending_stiffness >> cable.weight >> length >> x >> y;
        ++i) {
     CableSolverOptions options;
     options.model = Model::kCatenary;
-    const CableSolution catenary = findForces(cable, length, x, w, options);
+    const CableSolution catenary = findForces(cable, length, x, y, options);
     requireOk(catenary.status);
     options.model = Model::kBending;
     for (int digits = 3; digits <= 12; ++digits) {
@@ -46,7 +46,7 @@ void timeCables() {
       std::vector<double> times;
       for (int round = 0; round < kRounds; ++round) {
         const double begin = now();
-        solution = findForces(cable, length, x, w, options);
+        solution = findForces(cable, length, x, y, options);
         times.push_back(now() - begin);
       }
       requireOk(solution.status);

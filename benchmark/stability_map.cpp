@@ -20,7 +20,7 @@
 #include "cable_verdict.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "extreme_cables.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 using namespace cdpr_kinetostatics;
 
@@ -91,7 +91,7 @@ std::vector<CableVerdict> judgeAll(const std::vector<ExtremeCable>& cables, cons
 void writeCsv(const std::string& file, const std::vector<ExtremeCable>& cables,
               const std::vector<CableVerdict>& verdicts) {
   std::ofstream out(file);
-  out << "index,taut,chord,inclination,strain,weight,force,layers,EA,EI,q,L,x,w,H,V,hinted,corner";
+  out << "index,taut,chord,inclination,strain,weight,force,layers,EA,EI,q,L,x,y,H,V,hinted,corner";
   for (const char* name : {"position", "forces", "length", "single"}) {
     for (const char* column : {"outcome", "code", "time", "iterations", "error"}) out << "," << name << "_" << column;
   }
@@ -101,7 +101,7 @@ void writeCsv(const std::string& file, const std::vector<ExtremeCable>& cables,
     const CableVerdict& v = verdicts[i];
     out << i << "," << c.taut << "," << c.chord << "," << c.inclination << "," << c.strain << "," << c.weight << ","
         << c.force << "," << c.layers << "," << c.cable.axial_stiffness << "," << c.cable.bending_stiffness << ","
-        << c.cable.weight << "," << c.length << "," << c.x << "," << c.w << "," << v.h << "," << v.v << "," << v.hinted
+        << c.cable.weight << "," << c.length << "," << c.x << "," << c.y << "," << v.h << "," << v.v << "," << v.hinted
         << "," << c.corner();
     std::string message;
     for (const Judged* j : {&v.position, &v.forces, &v.length, &v.single}) {

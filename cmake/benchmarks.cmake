@@ -2,7 +2,7 @@
 file(GLOB benchmark_support_sources CONFIGURE_DEPENDS benchmark/support/*.cpp)
 add_library(cdpr_benchmark_support STATIC ${benchmark_support_sources})
 target_include_directories(cdpr_benchmark_support PUBLIC benchmark)
-target_link_libraries(cdpr_benchmark_support cdpr_test_support)
+target_link_libraries(cdpr_benchmark_support cdpr_test_support cdpr_timing)
 cdpr_compile_options(cdpr_benchmark_support)
 
 # The comparison with CVODES needs SUNDIALS 6 or later; nothing else does.

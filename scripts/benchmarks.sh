@@ -52,8 +52,8 @@ for source in "$repository"/benchmark/*.cpp; do
   fi
 done
 
-run compare_scipy "$repository/scripts/compare_scipy.py" --programs "$programs"
+run compare_scipy "$repository/scripts/studies/compare_scipy.py" --programs "$programs"
 
 printf '\n'
-"$repository/scripts/benchmark_table.py" "${results[@]}"
+"$repository/scripts/studies/benchmark_table.py" "${results[@]}"
 exit $failed

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <map>
 
-#include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "estimation_study/study.h"
+#include "robot/platform_statics.h"
 #include "support/csv_file.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "estimation_study/study.h"
 #include "support/csv_file.h"
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -15,7 +15,7 @@ class AutomaticShot {
   using Jet = ceres::Jet<double, 4>;  // (alpha0, moment0, h, v)
 
   static PlainParameters<Jet> seeded(const ShotParameters& p) { return {Jet(p.h, 2), Jet(p.v, 3), p.q, p.eps}; }
-  static PlainState<Jet> seeded(const ShotState& s) { return {Jet(s.alpha, 0), Jet(s.moment, 1), Jet(s.x), Jet(s.w)}; }
+  static PlainState<Jet> seeded(const ShotState& s) { return {Jet(s.alpha, 0), Jet(s.moment, 1), Jet(s.x), Jet(s.y)}; }
   static auto recordTurning(Shot* shot) {
     return [shot](const PlainState<Jet>& y) { shot->turning.emplace_back(y.alpha.v[0], y.alpha.v[1]); };
   }
@@ -41,8 +41,8 @@ class AutomaticShot {
 
  private:
   static void finish(const PlainState<Jet>& end, Shot* shot) {
-    shot->end = {end.alpha.a, end.moment.a, end.x.a, end.w.a};
-    shot->sensitivity << end.alpha.v.transpose(), end.moment.v.transpose(), end.x.v.transpose(), end.w.v.transpose();
+    shot->end = {end.alpha.a, end.moment.a, end.x.a, end.y.a};
+    shot->sensitivity << end.alpha.v.transpose(), end.moment.v.transpose(), end.x.v.transpose(), end.y.v.transpose();
   }
 };
 
@@ -51,7 +51,7 @@ class DifferencesShot {
   static constexpr double kDifference = 1e-8;  // of quantities of order one
 
   static PlainParameters<double> plain(const ShotParameters& p) { return {p.h, p.v, p.q, p.eps}; }
-  static PlainState<double> plain(const ShotState& s) { return {s.alpha, s.moment, s.x, s.w}; }
+  static PlainState<double> plain(const ShotState& s) { return {s.alpha, s.moment, s.x, s.y}; }
   static auto record(std::vector<double>* angles) {
     return [angles](const PlainState<double>& y) { angles->push_back(y.alpha); };
   }
@@ -77,7 +77,7 @@ class DifferencesShot {
  private:
   static bool differences(const ShotParameters& p, double t0, const ShotState& start, const StepGrid& grid,
                           double scale, const PlainState<double>& end, const std::vector<double>& angles, Shot* shot) {
-    shot->end = {end.alpha, end.moment, end.x, end.w};
+    shot->end = {end.alpha, end.moment, end.x, end.y};
     shot->turning.resize(angles.size());
     for (int j = 0; j < 4; ++j) {
       PlainParameters<double> moved_p = plain(p);
@@ -91,7 +91,7 @@ class DifferencesShot {
       };
       if (!shootPlainOnGrid(moved_p, t0, moved, grid, scale, &moved_end, turn)) return false;
       shot->sensitivity.col(j) = Eigen::Vector4d(moved_end.alpha - end.alpha, moved_end.moment - end.moment,
-                                                 moved_end.x - end.x, moved_end.w - end.w) /
+                                                 moved_end.x - end.x, moved_end.y - end.y) /
                                  kDifference;
     }
     return true;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/cable/shot.h"
+#include "cable/shot.h"
 
 namespace cdpr_kinetostatics {
 
@@ -19,7 +19,7 @@ struct PlainParameters {
 
 template <typename T>
 struct PlainState {
-  T alpha, moment, x, w;
+  T alpha, moment, x, y;
 };
 
 inline double valueOf(double a) { return a; }
@@ -86,10 +86,10 @@ class PlainShot {
     d->alpha = e * y.moment;
     d->moment = e * (p_.h * s + v * c);
     d->x = e * c;
-    d->w = e * s;
+    d->y = e * s;
   }
 
-  // x and w do not feed back: they are summed at the end of the step only.
+  // x and y do not feed back: they are summed at the end of the step only.
   void advance(double h) {
     for (int i = 1; i < kStages; ++i) {
       next_.alpha = y_.alpha;
@@ -101,10 +101,10 @@ class PlainShot {
       slope(t_ + kC[i] * h, next_, &k_[i]);
     }
     next_.x = y_.x;
-    next_.w = y_.w;
+    next_.y = y_.y;
     for (int j = 0; j < kStages - 1; ++j) {
       next_.x += h * kA[kStages - 1][j] * k_[j].x;
-      next_.w += h * kA[kStages - 1][j] * k_[j].w;
+      next_.y += h * kA[kStages - 1][j] * k_[j].y;
     }
   }
 

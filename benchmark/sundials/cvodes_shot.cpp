@@ -13,7 +13,7 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr int kStates = 4;      // alpha, moment, x, w
+constexpr int kStates = 4;      // alpha, moment, x, y
 constexpr int kParameters = 4;  // alpha0, moment0, h, v
 constexpr long kMostSteps = 100000;
 
@@ -177,7 +177,7 @@ class CvodesShot::Memory {
     y[0] = start.alpha;
     y[1] = start.moment;
     y[2] = start.x;
-    y[3] = start.w;
+    y[3] = start.y;
     for (int j = 0; j < kParameters; ++j) N_VConst(0.0, variations_[j]);
     NV_Ith_S(variations_[0], 0) = 1.0;
     NV_Ith_S(variations_[1], 1) = 1.0;

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "cdpr_kinetostatics/cable/shot.h"
+#include "cable/shot.h"
 
 namespace cdpr_kinetostatics {
 

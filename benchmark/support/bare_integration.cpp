@@ -7,13 +7,13 @@ namespace cdpr_kinetostatics {
 namespace {
 
 struct State {
-  double alpha, moment, x, w;
+  double alpha, moment, x, y;
 };
 
 State operator+(const State& a, const State& b) {
-  return {a.alpha + b.alpha, a.moment + b.moment, a.x + b.x, a.w + b.w};
+  return {a.alpha + b.alpha, a.moment + b.moment, a.x + b.x, a.y + b.y};
 }
-State operator*(double f, const State& a) { return {f * a.alpha, f * a.moment, f * a.x, f * a.w}; }
+State operator*(double f, const State& a) { return {f * a.alpha, f * a.moment, f * a.x, f * a.y}; }
 
 // Lengths in units of the thickness of the bending layer, forces in units of the larger end tension.
 struct Scaled {
@@ -89,18 +89,18 @@ BarePass integrateBare(const KnownCable& cable, double tolerance) {
   BarePass pass;
   double step = 0.5;
   double x = 0.0;
-  double w = 0.0;
+  double y = 0.0;
   for (std::size_t k = 0; k + 1 < cable.nodes.size(); ++k) {
     const ProfilePoint& from = cable.nodes[k];
     const ProfilePoint& to = cable.nodes[k + 1];
     const State end = integrate(f, from.s / f.length, to.s / f.length,
                                 {from.alpha, from.moment / moment_unit, 0.0, 0.0}, tolerance, &step, &pass.steps);
     x += end.x;
-    w += end.w;
+    y += end.y;
     pass.departure = std::max(pass.departure, std::abs(end.alpha - to.alpha));
   }
   pass.x = x * f.length;
-  pass.w = w * f.length;
+  pass.y = y * f.length;
   return pass;
 }
 

@@ -1,6 +1,6 @@
 // The yardstick of the speed of bending cables: a plain adaptive RK45 pass along a cable that is already known.
 //
-// Dormand and Prince's pair on (alpha, M, x, w) alone, without sensitivities, first same as last, sine and cosine
+// Dormand and Prince's pair on (alpha, M, x, y) alone, without sensitivities, first same as last, sine and cosine
 // once per evaluation. Steps are held only by the tolerance and by stability; the last step size is carried on.
 #pragma once
 
@@ -24,7 +24,7 @@ struct KnownCable {
 struct BarePass {
   int steps = 0;
   double x = 0.0;          // of the end B [m]
-  double w = 0.0;          // [m]
+  double y = 0.0;          // [m]
   double departure = 0.0;  // largest difference of the angle from the next node [rad]
 };
 

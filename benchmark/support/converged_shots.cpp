@@ -28,7 +28,7 @@ std::vector<ShotProblem> convergedShots(const RobotDescription& robot, const Pos
     CableSolverOptions options;
     options.tolerance = 1e-12;
     options.profile_points = count + 1;
-    const CableSolution fine = findForces(cable, known.length, known.x, known.w, options);
+    const CableSolution fine = findForces(cable, known.length, known.x, known.y, options);
     if (!fine.status.ok()) throw std::runtime_error(fine.status.message);
     for (int k = 0; k < count; ++k) {
       const double t0 = span * k / count;

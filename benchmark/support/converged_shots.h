@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cdpr_kinetostatics/cable/shot.h"
+#include "cable/shot.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 
 namespace cdpr_kinetostatics {

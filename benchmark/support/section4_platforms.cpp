@@ -8,8 +8,8 @@
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "robot_audit.h"
 #include "robot_cases.h"
-#include "support/timing.h"
 #include "suspended_platform.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

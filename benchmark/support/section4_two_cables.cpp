@@ -7,8 +7,8 @@
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "robot_cases.h"
-#include "support/timing.h"
 #include "support/two_cable_sweep.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

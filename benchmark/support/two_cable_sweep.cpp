@@ -47,8 +47,8 @@ class Sweep {
     const CableSolution end_2 = findPosition(second.properties, lengths_.y(), forces.x(), vertical_2, options_);
     best_.cable_solves += 2;
     if (!end_1.status.ok() || !end_2.status.ok()) return false;
-    const Eigen::Vector2d mass_1(first.anchor.x() + end_1.x, first.anchor.z() + end_1.w);
-    const Eigen::Vector2d mass_2(second.anchor.x() - end_2.x, second.anchor.z() + end_2.w);
+    const Eigen::Vector2d mass_1(first.anchor.x() + end_1.x, first.anchor.z() + end_1.y);
+    const Eigen::Vector2d mass_2(second.anchor.x() - end_2.x, second.anchor.z() + end_2.y);
     const double gap = (mass_1 - mass_2).norm();
     if (gap >= best_.gap) return false;
     best_.position = 0.5 * (mass_1 + mass_2);

@@ -1,7 +1,7 @@
 // The path that robots are timed on.
 #pragma once
 
-#include "cdpr_kinetostatics/robot/pose.h"
+#include "cdpr_kinetostatics/geometry/pose.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/multiple_shooting.h"
-#include "mesh_rules.h"
+#include "cable/mesh_rules.h"
+#include "cable/multiple_shooting.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -1,11 +1,11 @@
-#include "cdpr_kinetostatics/cable/bending.h"
+#include "cable/bending.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "bending_newton.h"
+#include "cable/bending_newton.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -43,17 +43,17 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double share) {
 }
 
 // A problem whose answer is close to its catenary, at the same length and height difference.
-std::optional<PathPoint> safeStart(const CableProperties& cable, double length, double x, double w, ForcesAtA* forces) {
+std::optional<PathPoint> safeStart(const CableProperties& cable, double length, double x, double y, ForcesAtA* forces) {
   PathPoint start{cable, x};
   const double light = std::min(cable.bending_stiffness / std::pow(length, 3), 1e-4 * cable.axial_stiffness / length);
   start.cable.weight = std::max(cable.weight, light);
   // A slack cable is opened, but no wider than it takes to bend gently.
   const double longest = length * (1.0 + start.cable.weight * length / cable.axial_stiffness);
-  const double wide = longest > std::abs(w) ? kWide * std::sqrt((longest - w) * (longest + w)) : 0.0;
+  const double wide = longest > std::abs(y) ? kWide * std::sqrt((longest - y) * (longest + y)) : 0.0;
   std::optional<ForcesAtA> catenary;
   for (int i = kOpenings; i >= 0; --i) {
     start.x = std::max(x, wide * std::pow(kOpening, -i));
-    catenary = catenaryForces(start.cable, length, start.x, w);
+    catenary = catenaryForces(start.cable, length, start.x, y);
     if (start.x >= wide || (catenary && sharpestBend(start.cable, length, *catenary) < kSafeBend)) break;
   }
   if (!catenary ||
@@ -69,11 +69,11 @@ std::optional<PathPoint> safeStart(const CableProperties& cable, double length, 
   return start;
 }
 
-BendingOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double w,
-                                    const BendingOptions& options, MultipleShooting* shooting) {
+BendingOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double y,
+                                    const SolveLimits& limits, MultipleShooting* shooting) {
   BendingOutcome outcome;
   ForcesAtA forces;
-  std::optional<PathPoint> start = safeStart(cable, length, x, w, &forces);
+  std::optional<PathPoint> start = safeStart(cable, length, x, y, &forces);
   if (!start) {
     outcome.status = {Code::kNotConverged, "no catenary to start from"};
     return outcome;
@@ -81,8 +81,8 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
   const PathPoint goal{cable, x};
   for (int i = 0; i < kMostSofter; ++i, start->cable.bending_stiffness *= kSofter) {
     const int before = outcome.iterations;
-    shooting->start(start->cable, length, forces.horizontal, forces.vertical, options.tolerance);
-    outcome = newton({Goal::kEndPoint, length, {start->x, w}}, options, kMaxNewtonIterations, shooting);
+    shooting->start(start->cable, length, forces.horizontal, forces.vertical, limits.tolerance);
+    outcome = newton({Goal::kEndPoint, length, {start->x, y}}, limits, kMaxNewtonIterations, shooting);
     outcome.iterations += before;
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) break;
   }
@@ -97,7 +97,7 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
     if (start->cable.bending_stiffness != cable.bending_stiffness || start->cable.weight != cable.weight) {
       shooting->changeProperties(point.cable);
     }
-    const BendingOutcome local = newton({Goal::kEndPoint, length, {point.x, w}}, options, 12, shooting);
+    const BendingOutcome local = newton({Goal::kEndPoint, length, {point.x, y}}, limits, 12, shooting);
     outcome.iterations += local.iterations;
     outcome.closure_residual = local.closure_residual;
     if (local.status.code == Code::kTimedOut) {
@@ -129,38 +129,38 @@ bool onSaggingBranch(const MultipleShooting& shooting) {
          std::abs(shooting.turning()) < kLoopAngle;
 }
 
-BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double w,
-                                  const BendingOptions& options, MultipleShooting* shooting) {
+BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
+                                  const SolveLimits& limits, MultipleShooting* shooting) {
   BendingOutcome outcome;
-  if (std::isinf(cable.axial_stiffness) && std::hypot(x, w) >= length) {
+  if (std::isinf(cable.axial_stiffness) && std::hypot(x, y) >= length) {
     outcome.status = {Code::kInfeasible, "an inextensible cable must be longer than the distance of its ends"};
     return outcome;
   }
-  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, w);
+  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, y);
   if (catenary && hasTension(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
-    shooting->start(cable, length, catenary->horizontal, catenary->vertical, options.tolerance);
-    outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
+    shooting->start(cable, length, catenary->horizontal, catenary->vertical, limits.tolerance);
+    outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting);
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
   int direct_iterations = outcome.iterations;
   const double compression = std::isfinite(cable.axial_stiffness)
-                                 ? cable.axial_stiffness * (1.0 - std::hypot(x, w) / length)
+                                 ? cable.axial_stiffness * (1.0 - std::hypot(x, y) / length)
                                  : std::numeric_limits<double>::infinity();
   if (compression >= -cable.weight * length && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
-    shooting->startStraight(cable, length, x, w, options.tolerance);
-    outcome = newton({Goal::kEndPoint, length, {x, w}}, options, kMaxNewtonIterations, shooting);
+    shooting->startStraight(cable, length, x, y, limits.tolerance);
+    outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting);
     direct_iterations += outcome.iterations;
     outcome.iterations = direct_iterations;
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
-  outcome = continueFromCatenary(cable, length, x, w, options, shooting);
+  outcome = continueFromCatenary(cable, length, x, y, limits, shooting);
   outcome.iterations += direct_iterations;
   return outcome;
 }
 
-BendingOutcome followBendingForces(double length, double x, double w, const BendingOptions& options,
+BendingOutcome followBendingForces(double length, double x, double y, const SolveLimits& limits,
                                    MultipleShooting* shooting) {
-  BendingOutcome outcome = newton({Goal::kEndPoint, length, {x, w}}, options, 12, shooting);
+  BendingOutcome outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, 12, shooting);
   if (outcome.status.ok() && !onSaggingBranch(*shooting)) {
     outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
   }

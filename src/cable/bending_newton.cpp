@@ -1,21 +1,16 @@
-#include "bending_newton.h"
+#include "cable/bending_newton.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "cable/iteration_schedule.h"
 namespace cdpr_kinetostatics {
 namespace {
 
 // Node angles move at most this much in one Newton step [rad].
 constexpr double kMaxAngleStep = 0.7;
-
-// Below this angle change the integration steps are frozen, and Newton's method converges to rounding.
-constexpr double kFreezeBelow = 1e-3;
-// They are frozen after so many iterations in any case: where a cable hardly stretches, its forces magnify the
-// error of integration, and would jitter with the steps for ever.
-constexpr int kAdaptiveIterations = 10;
 
 // Forces are told apart down to this share of the cable's buckling load.
 constexpr double kLeastForce = 1e-3;
@@ -36,13 +31,13 @@ bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f)
   return f.horizontal > 0.0 || (outside > 0.0 && f.horizontal >= -1e-12 * outside);
 }
 
-BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options, int max_iterations,
+BendingOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int max_iterations,
                       MultipleShooting* shooting) {
   BendingOutcome outcome;
   bool adapt = true;
   double last_size = std::numeric_limits<double>::infinity();
   for (int i = 0; i < max_iterations; ++i) {
-    if (std::chrono::steady_clock::now() > options.deadline) {
+    if (SolveLimits::Clock::now() > limits.deadline) {
       outcome.status = {Code::kTimedOut, "the time allowed ran out while joining the cable's segments"};
       return outcome;
     }
@@ -63,15 +58,15 @@ BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options,
     const double angle = shooting->angleChange(change);
     const double size = std::max(angle, change.head<2>().norm() / tension);
     const double damping = std::min(1.0, kMaxAngleStep / angle);
-    const bool at_rounding = outcome.closure_residual <= 1e-14 * target.length && angle <= options.tolerance;
-    const bool stalled = size >= 0.5 * last_size && size < 1e-5;
-    if (!adapt && (size <= options.tolerance || (stalled && at_rounding))) {
+    const bool at_rounding = outcome.closure_residual <= 1e-14 * target.length && angle <= limits.tolerance;
+    const bool stalled = hasStoppedShrinking(size, last_size);
+    if (!adapt && (size <= limits.tolerance || (stalled && at_rounding))) {
       shooting->step(change, damping);
       outcome.status.code = Code::kConverged;
       return outcome;
     }
     shooting->step(change, damping);
-    adapt = size > kFreezeBelow && i < kAdaptiveIterations;
+    adapt = choosesStepsNext(size, i);
     last_size = size;
   }
   outcome.status = {Code::kNotConverged,

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cdpr_kinetostatics/cable/bending.h"
+#include "cable/bending.h"
 
 namespace cdpr_kinetostatics {
 
@@ -21,10 +21,10 @@ enum class Goal { kEndPoint, kForces };
 struct NewtonTarget {
   Goal goal = Goal::kEndPoint;
   double length = 0.0;
-  Eigen::Vector2d value = Eigen::Vector2d::Zero();  // (x, w) or (H, V)
+  Eigen::Vector2d value = Eigen::Vector2d::Zero();  // (x, y) or (H, V)
 };
 
-BendingOutcome newton(const NewtonTarget& target, const BendingOptions& options, int max_iterations,
+BendingOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int max_iterations,
                       MultipleShooting* shooting);
 
 // (lambda/R)^2 at the point of the catenary that bends most.

@@ -1,7 +1,9 @@
-#include "cable_checks.h"
+#include "cable/cable_checks.h"
 
 #include <cmath>
 #include <sstream>
+
+#include "cable/input_limits.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -32,10 +34,10 @@ Status checkAccuracy(double accuracy) {
 }
 
 Status checkOptions(const CableSolverOptions& options) {
-  if (!(options.tolerance >= 1e-13 && options.tolerance <= 0.1)) {
+  if (!(options.tolerance >= kFinestTolerance && options.tolerance <= kCoarsestTolerance)) {
     return invalid(named("tolerance", options.tolerance, "") + " must lie between 1e-13 and 0.1");
   }
-  if (options.profile_points < 0 || options.profile_points == 1 || options.profile_points > 100000) {
+  if (options.profile_points < 0 || options.profile_points == 1 || options.profile_points > kMostProfilePoints) {
     return invalid(named("profile_points", options.profile_points, "") + " must be 0, or between 2 and 100000");
   }
   return firstRefusal(checkAccuracy(options.accuracy), checkModel(options.model));
@@ -60,9 +62,9 @@ Status checkLength(double length) {
   return invalid(named("length", length, "m") + " must be positive and at most 1e6 m");
 }
 
-Status checkEnd(double x, double w) {
-  if (!(std::isfinite(x) && std::isfinite(w) && std::hypot(x, w) <= kLargestLength)) {
-    return invalid("the end point (" + named("x", x, "m") + ", " + named("y", w, "m") +
+Status checkEnd(double x, double y) {
+  if (!(std::isfinite(x) && std::isfinite(y) && std::hypot(x, y) <= kLargestLength)) {
+    return invalid("the end point (" + named("x", x, "m") + ", " + named("y", y, "m") +
                    ") must be finite and within 1e6 m");
   }
   if (x < 0.0) {

@@ -9,10 +9,6 @@
 
 namespace cdpr_kinetostatics {
 
-// Beyond these a number is a mistake, not a cable.
-constexpr double kLargestLength = 1e6;  // [m]
-constexpr double kLargestForce = 1e12;  // [N]
-
 // "name = value": for messages.
 std::string named(const char* name, double value, const char* unit);
 
@@ -21,7 +17,7 @@ Status checkAccuracy(double accuracy);
 Status checkOptions(const CableSolverOptions& options);
 Status checkCable(const CableProperties& cable, Model model);
 Status checkLength(double length);
-Status checkEnd(double x, double w);
+Status checkEnd(double x, double y);
 Status checkForce(const char* name, double force);
 
 // The first refusal among checks, or CONVERGED.

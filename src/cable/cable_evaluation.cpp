@@ -1,13 +1,13 @@
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
+#include "cable/cable_evaluation.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/cable/bending_effect.h"
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/straight.h"
+#include "cable/bending_expansion.h"
+#include "cable/catenary.h"
+#include "cable/straight.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -31,25 +31,25 @@ CableSolution forcesOf(const CableProperties& cable, Model model, double length,
   return solution;
 }
 
-void describeStraight(const CableProperties& cable, double x, double w, int profile_points, CableSolution* solution) {
+void describeStraight(const CableProperties& cable, double x, double y, int profile_points, CableSolution* solution) {
   const double line_v = solution->vertical_force_a - 0.5 * cable.weight * solution->length;
   const double tension = std::hypot(solution->horizontal_force, line_v);
-  const double angle = std::atan2(w, x);
+  const double angle = std::atan2(y, x);
   solution->x = x;
-  solution->w = w;
+  solution->y = y;
   solution->angle_a = solution->angle_b = angle;
   if (tension > 0.0) {
     solution->strained_length = solution->length * (1.0 + tension / cable.axial_stiffness);
     const EndPoint end = straightEnd(cable, solution->horizontal_force, solution->vertical_force_a, solution->length);
     solution->end_jacobian = end.jacobian;
-    solution->closure_residual = std::abs(std::hypot(x, w) - solution->strained_length);
+    solution->closure_residual = std::abs(std::hypot(x, y) - solution->strained_length);
     if (std::isfinite(cable.axial_stiffness)) solution->force_jacobian = forceJacobian(end);
   } else {
     solution->force_jacobian(1, 2) = 0.5 * cable.weight;
   }
   for (int i = 0; i < profile_points; ++i) {
     const double share = static_cast<double>(i) / (profile_points - 1);
-    solution->profile.push_back({share * solution->length, share * x, share * w, angle, 0.0, tension, 0.0});
+    solution->profile.push_back({share * solution->length, share * x, share * y, angle, 0.0, tension, 0.0});
   }
 }
 
@@ -75,7 +75,7 @@ ProfilePoint correctedPoint(const CableProperties& cable, double s, const CableS
     const Eigen::Vector2d middle = correctedCatenaryEnd(cable, h, at.vertical_force_a, s).position +
                                    inside * moment / tension * Eigen::Vector2d(-u, h) / tension;
     point.x = middle.x();
-    point.w = middle.y();
+    point.y = middle.y();
   }
   return point;
 }
@@ -102,17 +102,17 @@ void describeCatenary(const CableProperties& cable, int profile_points, CableSol
   const double length = solution->length;
   const EndPoint end = correctedCatenaryEnd(cable, h, v, length);
   solution->x = end.position.x();
-  solution->w = end.position.y();
+  solution->y = end.position.y();
   solution->end_jacobian = end.jacobian;
   solution->force_jacobian = forceJacobian(end);
   solution->strained_length = catenaryStrainedLength(cable, h, v, length);
   solution->angle_a = catenaryAngle(cable, h, v, 0.0);
   solution->angle_b = catenaryAngle(cable, h, v, length);
-  const double chord = std::hypot(solution->x, solution->w);
+  const double chord = std::hypot(solution->x, solution->y);
   if (cable.weight > 0.0 && h > 0.0 && chord > 0.0) {  // farthest from the chord where parallel to it
-    const double s = std::clamp((v + h * solution->w / solution->x) / cable.weight, 0.0, length);
+    const double s = std::clamp((v + h * solution->y / solution->x) / cable.weight, 0.0, length);
     const Eigen::Vector2d at = s > 0.0 ? catenaryEnd(cable, h, v, s).position : Eigen::Vector2d::Zero();
-    solution->sag = std::abs(at.x() * solution->w - at.y() * solution->x) / chord;
+    solution->sag = std::abs(at.x() * solution->y - at.y() * solution->x) / chord;
   }
   if (cable.bending_stiffness > 0.0 && cable.weight > 0.0 && h > 0.0) {
     return describeCorrection(cable, profile_points, solution);
@@ -150,14 +150,14 @@ Eigen::Matrix<double, 2, 3> forceJacobian(const EndPoint& end) {
 }
 
 CableSolution describeClosedForm(const CableProperties& properties, Model model, double length, double h, double v,
-                                 double x, double w, int profile_points) {
+                                 double x, double y, int profile_points) {
   const CableProperties cable = asSeenBy(model, properties);
   CableSolution solution = forcesOf(cable, model, length, h, v);
   if (isStraight(model)) {
-    describeStraight(cable, x, w, profile_points, &solution);
+    describeStraight(cable, x, y, profile_points, &solution);
   } else {
     describeCatenary(cable, profile_points, &solution);
-    solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
+    solution.closure_residual = std::hypot(solution.x - x, solution.y - y);
   }
   zeroNonFinite(&solution.end_jacobian);
   return solution;

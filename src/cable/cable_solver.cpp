@@ -3,37 +3,38 @@
 #include <sstream>
 #include <string>
 
-#include "cdpr_kinetostatics/cable/model_error.h"
-#include "rung_problems.h"
+#include "cable/cable_checks.h"
+#include "cable/rung_error.h"
+#include "cable/rung_problems.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
 void estimateError(const CableProperties& cable, CableSolution* solution) {
-  if (solution->status.ok()) solution->estimated_error = modelError(cable, *solution).end.norm();
+  if (solution->status.ok()) solution->estimated_error = rungError(cable, *solution).end.norm();
 }
 
 // True if the rung's solution is known to be as accurate as asked for.
 bool isWithin(const CableProperties& cable, double accuracy, const CableSolution& solution) {
-  const ModelError error = modelError(cable, solution);
+  const RungError error = rungError(cable, solution);
   return error.known && error.end.norm() <= kAutoShare * accuracy;
 }
 
 // Solves on the coarsest rung that is accurate enough: solve(options) is the problem on options.model. The catenary
 // comes first, for it says what the others are worth.
 template <typename Solve>
-CableSolution solveAuto(const CableProperties& cable, const CableSolverOptions& options, const Solve& solve) {
-  CableSolverOptions on_rung = options;
+CableSolution solveAuto(const CableProperties& cable, double accuracy, const RungOptions& rung, const Solve& solve) {
+  RungOptions on_rung = rung;
   on_rung.model = Model::kCatenary;
   const CableSolution catenary = solve(on_rung);
   if (catenary.status.code == Code::kInvalidInput) return catenary;
   if (catenary.status.ok()) {
     const RungErrors errors = rungErrors(cable, catenary.length, catenary.horizontal_force, catenary.vertical_force_a);
     for (std::size_t r = 0; kAutoRungs[r] != Model::kBending; ++r) {
-      if (!errors[r].known || errors[r].end.norm() > kAutoShare * options.accuracy) continue;
+      if (!errors[r].known || errors[r].end.norm() > kAutoShare * accuracy) continue;
       on_rung.model = kAutoRungs[r];
       const CableSolution solution = on_rung.model == Model::kCatenary ? catenary : solve(on_rung);
-      if (solution.status.ok() && isWithin(cable, options.accuracy, solution)) return solution;
+      if (solution.status.ok() && isWithin(cable, accuracy, solution)) return solution;
     }
   }
   on_rung.model = Model::kBending;
@@ -51,7 +52,12 @@ std::string describeChoice(const CableSolution& solution) {
 
 template <typename Solve>
 CableSolution solveOnLadder(const CableProperties& cable, const CableSolverOptions& options, const Solve& solve) {
-  CableSolution solution = options.model == Model::kAuto ? solveAuto(cable, options, solve) : solve(options);
+  CableSolution solution;
+  solution.model = options.model;
+  solution.status = checkOptions(options);
+  if (!solution.status.ok()) return solution;
+  const RungOptions rung{options.model, {options.tolerance, deadlineAfter(options.timeout)}, options.profile_points};
+  solution = options.model == Model::kAuto ? solveAuto(cable, options.accuracy, rung, solve) : solve(rung);
   estimateError(cable, &solution);
   if (options.model == Model::kAuto && solution.status.ok()) solution.status.message = describeChoice(solution);
   return solution;
@@ -62,19 +68,19 @@ CableSolution solveOnLadder(const CableProperties& cable, const CableSolverOptio
 CableSolution findPosition(const CableProperties& cable, double length, double h, double v,
                            const CableSolverOptions& options) {
   return solveOnLadder(cable, options,
-                       [&](const CableSolverOptions& on_rung) { return positionOnRung(cable, length, h, v, on_rung); });
+                       [&](const RungOptions& on_rung) { return positionOnRung(cable, length, h, v, on_rung); });
 }
 
-CableSolution findForces(const CableProperties& cable, double length, double x, double w,
+CableSolution findForces(const CableProperties& cable, double length, double x, double y,
                          const CableSolverOptions& options) {
   return solveOnLadder(cable, options,
-                       [&](const CableSolverOptions& on_rung) { return forcesOnRung(cable, length, x, w, on_rung); });
+                       [&](const RungOptions& on_rung) { return forcesOnRung(cable, length, x, y, on_rung); });
 }
 
-CableSolution findLength(const CableProperties& cable, double x, double w, double tension_a, double length_hint,
+CableSolution findLength(const CableProperties& cable, double x, double y, double tension_a, double length_hint,
                          const CableSolverOptions& options) {
-  return solveOnLadder(cable, options, [&](const CableSolverOptions& on_rung) {
-    return lengthOnRung(cable, x, w, tension_a, length_hint, on_rung);
+  return solveOnLadder(cable, options, [&](const RungOptions& on_rung) {
+    return lengthOnRung(cable, x, y, tension_a, length_hint, on_rung);
   });
 }
 

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cable/catenary.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -54,9 +54,9 @@ double tautTension(const CableProperties& cable, double length, double x, double
   return t;
 }
 
-// Inextensible catenary: sinh(xi)/xi = sqrt(L^2 - w^2)/x, xi = q x/(2 H).
-ForcesAtA inextensibleForces(double weight, double length, double x, double w) {
-  const double ratio = std::sqrt((length - w) * (length + w)) / x;
+// Inextensible catenary: sinh(xi)/xi = sqrt(L^2 - y^2)/x, xi = q x/(2 H).
+ForcesAtA inextensibleForces(double weight, double length, double x, double y) {
+  const double ratio = std::sqrt((length - y) * (length + y)) / x;
   double xi = ratio < 3.0 ? std::sqrt(6.0 * (ratio - 1.0)) : std::log(2.0 * ratio) + std::log(std::log(2.0 * ratio));
   for (int i = 0; i < 60; ++i) {  // on log(sinh(xi)/xi), convex
     const double log_sinhc = xi < 1e-3 ? xi * xi / 6.0 : xi + std::log(-std::expm1(-2.0 * xi) / (2.0 * xi));
@@ -65,28 +65,28 @@ ForcesAtA inextensibleForces(double weight, double length, double x, double w) {
     xi = std::max(0.1 * xi, xi - step);
     if (std::abs(step) < 1e-10 * xi) break;
   }
-  return {weight * x / (2.0 * xi), 0.5 * weight * (length - w / std::tanh(xi))};
+  return {weight * x / (2.0 * xi), 0.5 * weight * (length - y / std::tanh(xi))};
 }
 
-// x = 0: the cable hangs along the vertical, w(V) is piecewise linear and decreasing.
-std::optional<ForcesAtA> verticalForces(const CableProperties& cable, double length, double w) {
+// x = 0: the cable hangs along the vertical, y(V) is piecewise linear and decreasing.
+std::optional<ForcesAtA> verticalForces(const CableProperties& cable, double length, double y) {
   const double half = 0.5 * cable.weight * length;
   const double compliance = length / cable.axial_stiffness;
-  if (std::isinf(cable.axial_stiffness) && std::abs(w) >= length) return std::nullopt;
+  if (std::isinf(cable.axial_stiffness) && std::abs(y) >= length) return std::nullopt;
   if (cable.weight > 0.0) {
-    const double slack = (half * compliance + length - w) / (compliance + 2.0 / cable.weight);
+    const double slack = (half * compliance + length - y) / (compliance + 2.0 / cable.weight);
     if (slack >= 0.0 && slack <= 2.0 * half) return ForcesAtA{0.0, slack};
   }
-  const double taut = std::abs(w) - length;
+  const double taut = std::abs(y) - length;
   if (cable.weight == 0.0 && taut <= 0.0) return std::nullopt;
-  return ForcesAtA{0.0, half - std::copysign(taut / compliance, w)};
+  return ForcesAtA{0.0, half - std::copysign(taut / compliance, y)};
 }
 
-ForcesAtA initialForces(const CableProperties& cable, double length, double x, double w) {
-  const double chord = std::hypot(x, w);
+ForcesAtA initialForces(const CableProperties& cable, double length, double x, double y) {
+  const double chord = std::hypot(x, y);
   const double t = tautTension(cable, length, x, chord);
-  if (length > chord && cable.weight * x > 1.5 * t) return inextensibleForces(cable.weight, length, x, w);
-  return {t * x / chord, -t * w / chord + 0.5 * cable.weight * length};
+  if (length > chord && cable.weight * x > 1.5 * t) return inextensibleForces(cable.weight, length, x, y);
+  return {t * x / chord, -t * y / chord + 0.5 * cable.weight * length};
 }
 
 }  // namespace
@@ -124,21 +124,21 @@ double catenaryStrainedLength(const CableProperties& cable, double h, double v_a
   return length + 0.5 * (mean + loop) / cable.axial_stiffness;
 }
 
-std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double w,
+std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double y,
                                         int* iterations) {
-  const double chord = std::hypot(x, w);
+  const double chord = std::hypot(x, y);
   if (iterations != nullptr) *iterations = 0;
   if (std::isinf(cable.axial_stiffness) && chord >= length) return std::nullopt;
   if (cable.weight == 0.0 && chord <= length) return std::nullopt;
-  if (x == 0.0) return verticalForces(cable, length, w);
+  if (x == 0.0) return verticalForces(cable, length, y);
 
-  // f = (H, -V); the end point (x, w) is the gradient of the complementary energy with respect to f.
-  ForcesAtA forces = initialForces(cable, length, x, w);
+  // f = (H, -V); the end point (x, y) is the gradient of the complementary energy with respect to f.
+  ForcesAtA forces = initialForces(cable, length, x, y);
   EndPoint end = catenaryEnd(cable, forces.horizontal, forces.vertical, length);
   double last_step = std::numeric_limits<double>::infinity();
   for (int i = 1; i <= kMaxNewtonIterations; ++i) {
     if (iterations != nullptr) *iterations = i;
-    const Eigen::Vector2d defect(x - end.position.x(), w - end.position.y());
+    const Eigen::Vector2d defect(x - end.position.x(), y - end.position.y());
     const Eigen::Matrix2d compliance = end.jacobian.leftCols<2>();
     const Eigen::Vector2d step = compliance.inverse() * defect;  // of (H, V)
     if (!step.allFinite()) return std::nullopt;
@@ -151,7 +151,7 @@ std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double len
     for (;; t *= 0.5) {
       const ForcesAtA trial{forces.horizontal + t * step.x(), forces.vertical + t * step.y()};
       end = catenaryEnd(cable, trial.horizontal, trial.vertical, length);
-      const Eigen::Vector2d left(x - end.position.x(), w - end.position.y());
+      const Eigen::Vector2d left(x - end.position.x(), y - end.position.y());
       const bool overshoot = -left.dot(Eigen::Vector2d(step.x(), -step.y())) > 0.9 * slope;
       if (!overshoot || t < 1e-6 || size < 1e-9 * tension) {
         forces = trial;

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/cable/length_search.h"
+#include "cable/length_search.h"
 
 #include <algorithm>
 #include <cmath>

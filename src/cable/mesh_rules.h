@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/shot.h"
+#include "cable/shot.h"
 
 namespace cdpr_kinetostatics {
 

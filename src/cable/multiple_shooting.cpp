@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/cable/multiple_shooting.h"
+#include "cable/multiple_shooting.h"
 
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cable/catenary.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -92,7 +92,7 @@ void MultipleShooting::evaluateMiddle(std::size_t k) {
                                 segment.slow_begin.ahead * (segment.node.x() - segment.slow_begin.alpha) +
                                 segment.slow_end.behind * (segment.shot.end.alpha - segment.slow_end.alpha);
   segment.shot.end.x = along.x();
-  segment.shot.end.w = along.y();
+  segment.shot.end.y = along.y();
 }
 
 // d(state at the segment's end)/dl beside that of its node: the segment's ends are fixed shares of the length.
@@ -100,8 +100,8 @@ Eigen::Vector4d MultipleShooting::lengthDerivative(const Segment& segment) {
   const ShotState& b = segment.begin_derivative;
   const ShotState& e = segment.end_derivative;
   const Eigen::Vector4d begin =
-      segment.shot.sensitivity.leftCols<2>() * feedback(b) + Eigen::Vector4d(0.0, 0.0, b.x, b.w);
-  return Eigen::Vector4d(e.alpha, e.moment, e.x, e.w) * segment.end - begin * segment.begin;
+      segment.shot.sensitivity.leftCols<2>() * feedback(b) + Eigen::Vector4d(0.0, 0.0, b.x, b.y);
+  return Eigen::Vector4d(e.alpha, e.moment, e.x, e.y) * segment.end - begin * segment.begin;
 }
 
 // Node k obeys one condition, at A that the moment vanishes, which the segments carry along the cable. With
@@ -205,7 +205,7 @@ MultipleShooting::Condition MultipleShooting::joinMiddle(const Condition& at_beg
   return absent(segment->slow_end, -segment->slow_end.growth, segment->end, next);
 }
 
-// The segment's share of (x, w), given what the node at its end does.
+// The segment's share of (x, y), given what the node at its end does.
 MultipleShooting::Affine MultipleShooting::displacement(const Segment& segment, const Affine& next_change) const {
   Affine result;
   if (segment.quiet) {
@@ -230,7 +230,7 @@ MultipleShooting::Affine MultipleShooting::displacement(const Segment& segment, 
     result.middleCols<2>(1) += segment.shot.sensitivity.bottomRightCorner<2, 2>();
     result.col(3) += lengthDerivative(segment).tail<2>();
   }
-  result.col(0) += Eigen::Vector2d(segment.shot.end.x, segment.shot.end.w);
+  result.col(0) += Eigen::Vector2d(segment.shot.end.x, segment.shot.end.y);
   return result;
 }
 

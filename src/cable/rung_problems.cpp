@@ -1,15 +1,15 @@
-#include "rung_problems.h"
+#include "cable/rung_problems.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cable_checks.h"
-#include "cdpr_kinetostatics/cable/bending.h"
-#include "cdpr_kinetostatics/cable/bending_effect.h"
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/length_search.h"
-#include "cdpr_kinetostatics/cable/straight.h"
+#include "cable/bending.h"
+#include "cable/bending_expansion.h"
+#include "cable/cable_checks.h"
+#include "cable/cable_evaluation.h"
+#include "cable/catenary.h"
+#include "cable/length_search.h"
+#include "cable/straight.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -30,10 +30,8 @@ CableSolution refusal(Model model, const Status& status) {
 
 bool bends(const CableProperties& cable, Model model) { return isBending(model) && cable.bending_stiffness > 0.0; }
 
-BendingOptions bendingOptions(const CableSolverOptions& options) { return {options.tolerance, options.deadline}; }
-
-CableSolution bendingSolution(const CableProperties& cable, const CableSolverOptions& options,
-                              const BendingOutcome& outcome, const MultipleShooting& shooting) {
+CableSolution bendingSolution(const CableProperties& cable, const RungOptions& options, const BendingOutcome& outcome,
+                              const MultipleShooting& shooting) {
   if (!outcome.status.ok()) return refusal(options.model, outcome.status);
   CableSolution solution = describeBending(cable, options.model, shooting, options.profile_points);
   solution.iterations = outcome.iterations;
@@ -72,8 +70,8 @@ Status straightWithoutForces(double length, double chord, double tolerance) {
 // Problem 2, kept warm from one length to the next while problem 3 looks for its root.
 class ForcesAlongLength {
  public:
-  ForcesAlongLength(const CableProperties& seen, const CableSolverOptions& options, double x, double w)
-      : cable_(seen), options_(options), x_(x), w_(w) {}
+  ForcesAlongLength(const CableProperties& seen, const RungOptions& options, double x, double y)
+      : cable_(seen), options_(options), x_(x), y_(y) {}
 
   const CableProperties& cable() const { return cable_; }
 
@@ -81,10 +79,10 @@ class ForcesAlongLength {
     if (bends(cable_, options_.model)) return bend(length);
     length_ = length;
     if (isStraight(options_.model)) {
-      forces_ = straightForces(cable_, length, x_, w_);
-      return std::hypot(x_, w_) > length;
+      forces_ = straightForces(cable_, length, x_, y_);
+      return std::hypot(x_, y_) > length;
     }
-    const std::optional<ForcesAtA> catenary = correctedCatenaryForces(cable_, length, x_, w_, &iterations_);
+    const std::optional<ForcesAtA> catenary = correctedCatenaryForces(cable_, length, x_, y_, &iterations_);
     if (catenary) forces_ = *catenary;
     return catenary.has_value();
   }
@@ -106,33 +104,33 @@ class ForcesAlongLength {
   CableSolution describe(int profile_points) const {
     if (bends(cable_, options_.model)) {
       CableSolution solution = describeBending(cable_, options_.model, shooting_, profile_points);
-      solution.closure_residual = std::hypot(solution.x - x_, solution.w - w_);
+      solution.closure_residual = std::hypot(solution.x - x_, solution.y - y_);
       solution.iterations = iterations_;
       return solution;
     }
     CableSolution solution = describeClosedForm(cable_, options_.model, length_, forces_.horizontal, forces_.vertical,
-                                                x_, w_, profile_points);
+                                                x_, y_, profile_points);
     solution.iterations = iterations_;
     return solution;
   }
 
  private:
   bool bend(double length) {
-    const BendingOptions options = bendingOptions(options_);
+    const SolveLimits& limits = options_.limits;
     if (warm_) {
-      const BendingOutcome outcome = followBendingForces(length, x_, w_, options, &shooting_);
+      const BendingOutcome outcome = followBendingForces(length, x_, y_, limits, &shooting_);
       iterations_ += outcome.iterations;
       if (outcome.status.ok()) return true;
     }
-    const BendingOutcome outcome = solveBendingForces(cable_, length, x_, w_, options, &shooting_);
+    const BendingOutcome outcome = solveBendingForces(cable_, length, x_, y_, limits, &shooting_);
     iterations_ += outcome.iterations;
     warm_ = outcome.status.ok();
     return warm_;
   }
 
   const CableProperties cable_;
-  const CableSolverOptions options_;
-  const double x_, w_;
+  const RungOptions options_;
+  const double x_, y_;
   double length_ = 0.0;
   ForcesAtA forces_;
   MultipleShooting shooting_;
@@ -149,55 +147,54 @@ CableSolution belowLeastTension(Model model, double tension, double least) {
 }
 
 // The line's own tension from the tension at A, which carries half of the weight q L besides.
-CableSolution straightLength(const CableProperties& cable, double x, double w, double tension_a,
-                             const CableSolverOptions& options) {
-  const double chord = std::hypot(x, w);
+CableSolution straightLength(const CableProperties& cable, double x, double y, double tension_a,
+                             const RungOptions& options) {
+  const double chord = std::hypot(x, y);
   const double half_weight = 0.5 * cable.weight * chord;
-  const double middle = half_weight * w / chord;
+  const double middle = half_weight * y / chord;
   const double square = middle * middle + tension_a * tension_a - half_weight * half_weight;
   const double least = middle > 0.0 ? half_weight * x / chord : half_weight;
   if (square < 0.0 || middle + std::sqrt(square) < 0.0) {
     return belowLeastTension(options.model, tension_a, least);
   }
   const double tension = middle + std::sqrt(square);
-  return describeClosedForm(cable, options.model, chord, tension * x / chord, half_weight - tension * w / chord, x, w,
+  return describeClosedForm(cable, options.model, chord, tension * x / chord, half_weight - tension * y / chord, x, y,
                             options.profile_points);
 }
 
 // An inextensible cable stretched like a string. Its forces do not follow from its length: they are those
 // of the string, which holds half of its weight at either end.
-std::optional<CableSolution> stringLength(const CableProperties& cable, double x, double w, double tension_a,
-                                          double length_hint, const CableSolverOptions& options) {
-  const double chord = std::hypot(x, w);
+std::optional<CableSolution> stringLength(const CableProperties& cable, double x, double y, double tension_a,
+                                          double length_hint, const RungOptions& options) {
+  const double chord = std::hypot(x, y);
   const double sag = std::pow(cable.weight * x / tension_a, 2) / 24.0;
-  const double hanging = x == 0.0 && w < 0.0 ? cable.weight * chord : 0.0;
+  const double hanging = x == 0.0 && y < 0.0 ? cable.weight * chord : 0.0;
   if (sag > kStringSag || tension_a < hanging || length_hint > (1.0 + 1e-9) * chord) return std::nullopt;
-  CableSolverOptions straight = options;
+  RungOptions straight = options;
   straight.model = Model::kStraight;
   CableSolution solution = x == 0.0 ? describeClosedForm(cable, Model::kStraight, chord, 0.0,
-                                                         std::copysign(tension_a, -w), x, w, options.profile_points)
-                                    : straightLength(cable, x, w, tension_a, straight);
+                                                         std::copysign(tension_a, -y), x, y, options.profile_points)
+                                    : straightLength(cable, x, y, tension_a, straight);
   solution.model = options.model;
   return solution;
 }
 
 // A length on the taut side of the fold, for a tension of about this much: that of the catenary where the
 // cable bends (bending lowers the tension at a given length), else of a line with a parabola's sag.
-double tautLength(const CableProperties& cable, double x, double w, double tension, const CableSolverOptions& options) {
-  const double chord = std::hypot(x, w);
+double tautLength(const CableProperties& cable, double x, double y, double tension, const RungOptions& options) {
+  const double chord = std::hypot(x, y);
   if (bends(cable, options.model)) {
-    CableSolverOptions coarser = options;
+    RungOptions coarser = options;
     coarser.model = startingRung(options.model);
     coarser.profile_points = 0;
-    const CableSolution catenary = lengthOnRung(cable, x, w, tension, 0.0, coarser);
+    const CableSolution catenary = lengthOnRung(cable, x, y, tension, 0.0, coarser);
     if (catenary.status.ok()) return catenary.length;
   }
   if (isInextensible(options.model)) return chord * (1.0 + 0.5 * std::pow(cable.weight * x / tension, 2) / 24.0);
   return chord / (1.0 + tension / cable.axial_stiffness);
 }
 
-CableSolution atLengthFound(double length, double tension_a, const CableSolverOptions& options,
-                            ForcesAlongLength* problem) {
+CableSolution atLengthFound(double length, double tension_a, const RungOptions& options, ForcesAlongLength* problem) {
   if (!problem->solve(length)) {
     return refusal(options.model, {Code::kNotConverged, "the cable could not be solved at the length found"});
   }
@@ -205,7 +202,7 @@ CableSolution atLengthFound(double length, double tension_a, const CableSolverOp
   // The length's own rounding moves the tension of a stiff cable.
   const double axial_stiffness = problem->cable().axial_stiffness;
   const double rounding = std::isfinite(axial_stiffness) ? 1e-14 * axial_stiffness : 0.0;
-  const double accepted = std::max(options.tolerance, kTensionFound) * tension_a;
+  const double accepted = std::max(options.limits.tolerance, kTensionFound) * tension_a;
   if (std::abs(solution.tension_a - tension_a) > accepted + rounding) {
     return refusal(options.model, {Code::kNotConverged, "the length found does not give the tension asked for"});
   }
@@ -215,14 +212,14 @@ CableSolution atLengthFound(double length, double tension_a, const CableSolverOp
 }  // namespace
 
 CableSolution positionOnRung(const CableProperties& properties, double length, double h, double v,
-                             const CableSolverOptions& options) {
-  const Status check = firstRefusal(checkOptions(options), checkCable(properties, options.model), checkLength(length),
+                             const RungOptions& options) {
+  const Status check = firstRefusal(checkCable(properties, options.model), checkLength(length),
                                     checkForce("horizontal_force", h), checkForce("vertical_force_a", v));
   if (!check.ok()) return refusal(options.model, check);
   const CableProperties cable = asSeenBy(options.model, properties);
   if (bends(cable, options.model)) {
     MultipleShooting shooting;
-    const BendingOutcome outcome = solveBendingPosition(cable, length, {h, v}, bendingOptions(options), &shooting);
+    const BendingOutcome outcome = solveBendingPosition(cable, length, {h, v}, options.limits, &shooting);
     return bendingSolution(cable, options, outcome, shooting);
   }
   if (ForcesAtA{h, v}.push()) {
@@ -249,20 +246,19 @@ CableSolution positionOnRung(const CableProperties& properties, double length, d
                             options.profile_points);
 }
 
-CableSolution forcesOnRung(const CableProperties& properties, double length, double x, double w,
-                           const CableSolverOptions& options) {
-  const Status check =
-      firstRefusal(checkOptions(options), checkCable(properties, options.model), checkLength(length), checkEnd(x, w));
+CableSolution forcesOnRung(const CableProperties& properties, double length, double x, double y,
+                           const RungOptions& options) {
+  const Status check = firstRefusal(checkCable(properties, options.model), checkLength(length), checkEnd(x, y));
   if (!check.ok()) return refusal(options.model, check);
   const CableProperties cable = asSeenBy(options.model, properties);
-  const double chord = std::hypot(x, w);
+  const double chord = std::hypot(x, y);
   if (options.model == Model::kStraight) {
-    return refusal(options.model, straightWithoutForces(length, chord, options.tolerance));
+    return refusal(options.model, straightWithoutForces(length, chord, options.limits.tolerance));
   }
   if (isInextensible(options.model) && length <= chord) {
     return refusal(options.model, noForces(cable, length, chord));
   }
-  ForcesAlongLength problem(cable, options, x, w);
+  ForcesAlongLength problem(cable, options, x, y);
   if (options.model == Model::kStraightElastic) {
     static_cast<void>(problem.solve(length));
     return problem.describe(options.profile_points);
@@ -272,19 +268,19 @@ CableSolution forcesOnRung(const CableProperties& properties, double length, dou
     return problem.describe(options.profile_points);
   }
   MultipleShooting shooting;
-  const BendingOutcome outcome = solveBendingForces(cable, length, x, w, bendingOptions(options), &shooting);
+  const BendingOutcome outcome = solveBendingForces(cable, length, x, y, options.limits, &shooting);
   CableSolution solution = bendingSolution(cable, options, outcome, shooting);
-  if (solution.status.ok()) solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
+  if (solution.status.ok()) solution.closure_residual = std::hypot(solution.x - x, solution.y - y);
   return solution;
 }
 
-CableSolution lengthOnRung(const CableProperties& properties, double x, double w, double tension_a, double length_hint,
-                           const CableSolverOptions& options) {
-  const Status check = firstRefusal(checkOptions(options), checkCable(properties, options.model), checkEnd(x, w),
-                                    checkForce("tension_a", tension_a),
-                                    length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength(length_hint));
+CableSolution lengthOnRung(const CableProperties& properties, double x, double y, double tension_a, double length_hint,
+                           const RungOptions& options) {
+  const Status check =
+      firstRefusal(checkCable(properties, options.model), checkEnd(x, y), checkForce("tension_a", tension_a),
+                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength(length_hint));
   if (!check.ok()) return refusal(options.model, check);
-  const double chord = std::hypot(x, w);
+  const double chord = std::hypot(x, y);
   if (chord == 0.0) {
     return refusal(options.model, {Code::kInvalidInput, "the ends of the cable coincide: give x or y"});
   }
@@ -293,39 +289,39 @@ CableSolution lengthOnRung(const CableProperties& properties, double x, double w
                    {Code::kInvalidInput, named("tension_a", tension_a, "N") + " must be positive to find a length"});
   }
   const CableProperties cable = asSeenBy(options.model, properties);
-  if (options.model == Model::kStraight) return straightLength(cable, x, w, tension_a, options);
+  if (options.model == Model::kStraight) return straightLength(cable, x, y, tension_a, options);
   if (isInextensible(options.model)) {
-    if (const auto string = stringLength(cable, x, w, tension_a, length_hint, options)) return *string;
+    if (const auto string = stringLength(cable, x, y, tension_a, length_hint, options)) return *string;
   }
 
   LengthSearch search;
   search.tension = tension_a;
   search.chord = chord;
   search.hint = length_hint;
-  search.tolerance = options.tolerance;
+  search.tolerance = options.limits.tolerance;
   search.longest = 4.0 * chord;
   if (cable.weight > 0.0) search.longest = 2.0 * chord + 1.2 * (2.0 * tension_a / cable.weight + chord);
   if (isStraight(options.model)) search.longest = chord * (1.0 - 1e-15);
   // From the hint's own shape: one followed from far away may be another.
-  ForcesAlongLength at_hint(cable, options, x, w);
+  ForcesAlongLength at_hint(cable, options, x, y);
   if (length_hint > 0.0) {
     search.near_hint = rootNearHint([&](double length) { return at_hint.sample(length); }, search);
     if (search.near_hint && isAtHint(*search.near_hint, search)) {
       return atLengthFound(*search.near_hint, tension_a, options, &at_hint);
     }
   }
-  ForcesAlongLength problem(cable, options, x, w);
+  ForcesAlongLength problem(cable, options, x, y);
   const TensionCurve curve = [&](double length) { return problem.sample(length); };
   double more = isBending(options.model) ? 0.02 : 2.0 + cable.weight * chord / tension_a;
   for (int i = 0; i < 20; ++i, more *= 4.0) {
-    search.shortest = tautLength(cable, x, w, tension_a * (1.0 + more), options);
+    search.shortest = tautLength(cable, x, y, tension_a * (1.0 + more), options);
     const std::optional<TensionSample> sample = curve(search.shortest);
     if (!sample) break;
     // In compression the tension falls again beyond the fold: not the taut side.
     if (sample->tension > tension_a && sample->slope < 0.0 && problem.pulls()) break;
   }
   const LengthFound found = searchLength(curve, search);
-  if (std::chrono::steady_clock::now() > options.deadline) {
+  if (SolveLimits::Clock::now() > options.limits.deadline) {
     return refusal(options.model, {Code::kTimedOut, "the time allowed ran out while looking for the length"});
   }
   if (!found.length) {

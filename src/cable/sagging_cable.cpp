@@ -1,11 +1,11 @@
-#include "cdpr_kinetostatics/cable/sagging_cable.h"
+#include "cable/sagging_cable.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/bending_effect.h"
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/cable/straight.h"
+#include "cable/bending_expansion.h"
+#include "cable/cable_evaluation.h"
+#include "cable/straight.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -31,19 +31,19 @@ void SaggingCable::start(double length, const ForcesAtA& forces) {
   if (bends()) shooting_.start(seen_, length, forces.horizontal, forces.vertical, tolerance_);
 }
 
-Status SaggingCable::startBetween(double length, double x, double w, const BendingOptions& options) {
+Status SaggingCable::startBetween(double length, double x, double y, const SolveLimits& options) {
   length_ = length;
   if (bends()) {
-    const BendingOutcome outcome = solveBendingForces(seen_, length, x, w, options, &shooting_);
+    const BendingOutcome outcome = solveBendingForces(seen_, length, x, y, options, &shooting_);
     forces_ = {shooting_.horizontalForce(), shooting_.verticalForceA()};
     return outcome.status;
   }
   if (isStraight(model_)) {
-    if (std::hypot(x, w) <= length) return {Code::kInfeasible, "the straight cable is slack"};
-    forces_ = straightForces(seen_, length, x, w);
+    if (std::hypot(x, y) <= length) return {Code::kInfeasible, "the straight cable is slack"};
+    forces_ = straightForces(seen_, length, x, y);
     return {Code::kConverged, ""};
   }
-  const std::optional<ForcesAtA> catenary = correctedCatenaryForces(seen_, length, x, w);
+  const std::optional<ForcesAtA> catenary = correctedCatenaryForces(seen_, length, x, y);
   if (!catenary) return {Code::kInfeasible, "the cable cannot span its ends"};
   forces_ = *catenary;
   return {Code::kConverged, ""};
@@ -97,12 +97,12 @@ bool SaggingCable::onBranch() const { return bends() ? onSaggingBranch(shooting_
 
 double SaggingCable::tensionA() const { return std::hypot(forces_.horizontal, forces_.vertical); }
 
-CableSolution SaggingCable::describe(double x, double w, int profile_points) const {
+CableSolution SaggingCable::describe(double x, double y, int profile_points) const {
   if (!bends()) {
-    return describeClosedForm(seen_, model_, length_, forces_.horizontal, forces_.vertical, x, w, profile_points);
+    return describeClosedForm(seen_, model_, length_, forces_.horizontal, forces_.vertical, x, y, profile_points);
   }
   CableSolution solution = describeBending(seen_, model_, shooting_, profile_points);
-  solution.closure_residual = std::hypot(solution.x - x, solution.w - w);
+  solution.closure_residual = std::hypot(solution.x - x, solution.y - y);
   return solution;
 }
 

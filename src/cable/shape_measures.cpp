@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/multiple_shooting.h"
+#include "cable/catenary.h"
+#include "cable/multiple_shooting.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -36,24 +36,24 @@ std::array<double, 2> extremesOfCubic(const Sample& a, const Sample& b, double h
 
 // The quantities whose extremes are wanted, with their derivatives with respect to t.
 struct Local {
-  Local(const ShotParameters& p, double t, const ShotState& y, double chord_angle) {
-    const double c = std::cos(y.alpha);
-    const double s = std::sin(y.alpha);
+  Local(const ShotParameters& p, double t, const ShotState& at, double chord_angle) {
+    const double c = std::cos(at.alpha);
+    const double s = std::sin(at.alpha);
     const double v = p.v - p.q * t;
     const double force_t = p.h * c - v * s;
     const double force_s = p.h * s + v * c;
     const double e = 1.0 + p.eps * force_t;
-    tension = {force_t, p.q * s - force_s * e * y.moment};
-    shear = {force_s, force_t * e * y.moment - p.q * c};
-    moment = {y.moment, e * force_s};
-    offset = {y.x * std::sin(chord_angle) - y.w * std::cos(chord_angle), e * std::sin(chord_angle - y.alpha)};
+    tension = {force_t, p.q * s - force_s * e * at.moment};
+    shear = {force_s, force_t * e * at.moment - p.q * c};
+    moment = {at.moment, e * force_s};
+    offset = {at.x * std::sin(chord_angle) - at.y * std::cos(chord_angle), e * std::sin(chord_angle - at.alpha)};
   }
   Sample tension, shear, moment, offset;
 };
 
 }  // namespace
 
-// The state at t in the middle, with what is left of the modes of its ends; (x, w) counted on from another.
+// The state at t in the middle, with what is left of the modes of its ends; (x, y) counted on from another.
 ShotState MultipleShooting::middleState(const Segment& middle, double t_from, const ShotState& from, double t) const {
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
@@ -72,7 +72,7 @@ ShotState MultipleShooting::middleState(const Segment& middle, double t_from, co
                                 middle.slow_begin.ahead * (ahead(t_from) - ahead(t)) +
                                 middle.slow_end.behind * (behind(t) - behind(t_from));
   return {slow.alpha + ahead(t) + behind(t), slow.moment - slow.decay * ahead(t) + slow.growth * behind(t),
-          from.x + along.x(), from.w + along.y()};
+          from.x + along.x(), from.y + along.y()};
 }
 
 // The point of the middle with this slope; its beginning if there is none.
@@ -137,13 +137,13 @@ double MultipleShooting::areaBelowChord() const {
   for (const Segment& segment : segments_) {
     const ShotState begin{segment.node.x(), segment.node.y(), 0.0, 0.0};
     if (segment.quiet && riseOfForce(p, segment.begin * span, segment.end * span) <= kRiseOfOneArc) {
-      addArc({segment.shot.end.x, segment.shot.end.w}, segment.slow_begin.alpha, segment.slow_end.alpha);
+      addArc({segment.shot.end.x, segment.shot.end.y}, segment.slow_begin.alpha, segment.slow_end.alpha);
     } else if (segment.quiet) {
       forEachPiece(segment, begin, [&](double, const ShotState& a, double, const ShotState& b) {
-        addArc({b.x - a.x, b.w - a.w}, a.alpha, b.alpha);
+        addArc({b.x - a.x, b.y - a.y}, a.alpha, b.alpha);
       });
     } else {
-      addArc({segment.shot.end.x, segment.shot.end.w}, begin.alpha, segment.shot.end.alpha);
+      addArc({segment.shot.end.x, segment.shot.end.y}, begin.alpha, segment.shot.end.alpha);
     }
   }
   return area * reference_length_ * reference_length_;
@@ -154,7 +154,7 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
   const double span = length_ / reference_length_;
   const double grid_scale = length_ / grid_length_;
   Eigen::Vector2d end = Eigen::Vector2d::Zero();
-  for (const Segment& segment : segments_) end += Eigen::Vector2d(segment.shot.end.x, segment.shot.end.w);
+  for (const Segment& segment : segments_) end += Eigen::Vector2d(segment.shot.end.x, segment.shot.end.y);
   const double chord_angle = std::atan2(end.y(), end.x());
 
   double stretch = 0.0;
@@ -162,10 +162,10 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
   double max_moment = 0.0;
   double max_shear = 0.0;
   solution->profile.clear();
-  const auto addPoint = [&](double t, const ShotState& y) {
-    const Local local(p, t, y, chord_angle);
-    solution->profile.push_back({t * reference_length_, y.x * reference_length_, y.w * reference_length_, y.alpha,
-                                 y.moment * reference_moment_, local.tension.value * reference_force_,
+  const auto addPoint = [&](double t, const ShotState& at) {
+    const Local local(p, t, at, chord_angle);
+    solution->profile.push_back({t * reference_length_, at.x * reference_length_, at.y * reference_length_, at.alpha,
+                                 at.moment * reference_moment_, local.tension.value * reference_force_,
                                  -local.shear.value * reference_force_});
   };
   // An interval at whose ends the state is known; inside(t) is the state between.
@@ -232,7 +232,7 @@ void MultipleShooting::measure(int profile_points, CableSolution* solution) cons
   }
   if (profile_points > 0) addPoint(span, state);
   solution->x = state.x * reference_length_;
-  solution->w = state.w * reference_length_;
+  solution->y = state.y * reference_length_;
   solution->strained_length = length_ + p.eps * stretch * reference_length_;
   solution->angle_a = segments_.front().node.x();
   solution->angle_b = last_node_.x();

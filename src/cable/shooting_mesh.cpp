@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/multiple_shooting.h"
-#include "mesh_rules.h"
+#include "cable/catenary.h"
+#include "cable/mesh_rules.h"
+#include "cable/multiple_shooting.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -58,14 +58,14 @@ void MultipleShooting::start(const CableProperties& cable, double length, double
   startNodes();
 }
 
-void MultipleShooting::startStraight(const CableProperties& cable, double length, double x, double w,
+void MultipleShooting::startStraight(const CableProperties& cable, double length, double x, double y,
                                      double tolerance) {
-  const double chord = std::hypot(x, w);
+  const double chord = std::hypot(x, y);
   const double tension = cable.axial_stiffness * (chord / length - 1.0);
-  begin(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * w / chord}, tolerance,
+  begin(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * y / chord}, tolerance,
         angleScale(cable, length, std::abs(tension), 1.0), Middle::kShot);
-  for (Segment& segment : segments_) segment.node << std::atan2(w, x), 0.0;
-  last_node_ << std::atan2(w, x), 0.0;
+  for (Segment& segment : segments_) segment.node << std::atan2(y, x), 0.0;
+  last_node_ << std::atan2(y, x), 0.0;
 }
 
 void MultipleShooting::changeProperties(const CableProperties& cable) {
@@ -181,7 +181,7 @@ void MultipleShooting::placeEverywhere() {
     share[i] = layers / kLayersPerSegment +
                std::abs(catenaryAngle(cable_, h, force_.y(), i * ds) - angle_a) / kAnglePerSegment;
   }
-  // Where stretch rules the forces, the error of x and w matters, which no step control looks at: several steps at
+  // Where stretch rules the forces, the error of x and y matters, which no step control looks at: several steps at
   // least.
   const double fewest = shot_tolerance_.alpha < kStretchRules * kStepShare * tolerance_ ? kSeveral : 1.0;
   const int count = static_cast<int>(std::clamp(std::ceil(share[kSamples]), fewest, kMaxSegments + 1.0));

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/cable/shot.h"
+#include "cable/shot.h"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,10 @@ constexpr int kStages = 7;
 constexpr double kLongestStep = 0.5;
 
 // Layout of the integrated rows: what feeds back first (alpha, moment and their derivatives with respect
-// to alpha0, moment0, h, v), then the quadratures (x, w and theirs).
+// to alpha0, moment0, h, v), then the quadratures (x, y and theirs).
 constexpr int kFeedback = 10;
 constexpr int kRows = 20;
-enum Row { kAlpha = 0, kMoment = 1, kDAlpha = 2, kDMoment = 6, kX = 10, kW = 11, kDX = 12, kDW = 16 };
+enum Row { kAlpha = 0, kMoment = 1, kDAlpha = 2, kDMoment = 6, kX = 10, kY = 11, kDX = 12, kDY = 16 };
 using Rows = std::array<double, kRows>;
 
 // Dormand, Prince (1980): coefficients of the pair of orders 5 and 4.
@@ -33,57 +33,57 @@ constexpr double kA[kStages][kStages - 1] = {{},
 constexpr double kError[kStages] = {71.0 / 57600,      0.0,          -71.0 / 16695, 71.0 / 1920,
                                     -17253.0 / 339200, 22.0 / 525.0, -1.0 / 40};
 
-void derivative(const ShotParameters& p, double t, const Rows& y, Rows* dy) {
-  const double c = std::cos(y[kAlpha]);
-  const double s = std::sin(y[kAlpha]);
+void derivative(const ShotParameters& p, double t, const Rows& u, Rows* du) {
+  const double c = std::cos(u[kAlpha]);
+  const double s = std::sin(u[kAlpha]);
   const double v = p.v - p.q * t;
   const double tension = p.h * c - v * s;
   const double shear = p.h * s + v * c;
   const double e = 1.0 + p.eps * tension;
-  const double m = y[kMoment];
-  Rows& d = *dy;
+  const double m = u[kMoment];
+  Rows& d = *du;
   d[kAlpha] = e * m;
   d[kMoment] = e * shear;
   d[kX] = e * c;
-  d[kW] = e * s;
+  d[kY] = e * s;
   const double direct_t[4] = {0.0, 0.0, c, -s};
   const double direct_s[4] = {0.0, 0.0, s, c};
   for (int j = 0; j < 4; ++j) {
-    const double da = y[kDAlpha + j];
+    const double da = u[kDAlpha + j];
     const double de = p.eps * (direct_t[j] - shear * da);
-    d[kDAlpha + j] = e * y[kDMoment + j] + m * de;
+    d[kDAlpha + j] = e * u[kDMoment + j] + m * de;
     d[kDMoment + j] = e * (tension * da + direct_s[j]) + shear * de;
     d[kDX + j] = c * de - e * s * da;
-    d[kDW + j] = s * de + e * c * da;
+    d[kDY + j] = s * de + e * c * da;
   }
 }
 
 Rows initialRows(const ShotState& start) {
-  Rows y{};
-  y[kAlpha] = start.alpha;
-  y[kMoment] = start.moment;
-  y[kX] = start.x;
-  y[kW] = start.w;
-  y[kDAlpha] = 1.0;
-  y[kDMoment + 1] = 1.0;
-  return y;
+  Rows u{};
+  u[kAlpha] = start.alpha;
+  u[kMoment] = start.moment;
+  u[kX] = start.x;
+  u[kY] = start.y;
+  u[kDAlpha] = 1.0;
+  u[kDMoment + 1] = 1.0;
+  return u;
 }
 
-void finish(const Rows& y, Shot* shot) {
-  shot->end = {y[kAlpha], y[kMoment], y[kX], y[kW]};
+void finish(const Rows& u, Shot* shot) {
+  shot->end = {u[kAlpha], u[kMoment], u[kX], u[kY]};
   for (int j = 0; j < 4; ++j) {
-    shot->sensitivity(0, j) = y[kDAlpha + j];
-    shot->sensitivity(1, j) = y[kDMoment + j];
-    shot->sensitivity(2, j) = y[kDX + j];
-    shot->sensitivity(3, j) = y[kDW + j];
+    shot->sensitivity(0, j) = u[kDAlpha + j];
+    shot->sensitivity(1, j) = u[kDMoment + j];
+    shot->sensitivity(2, j) = u[kDX + j];
+    shot->sensitivity(3, j) = u[kDY + j];
   }
 }
 
 using Stages = std::array<Rows, kStages>;
 
-// y + h sum of the first stages, of so many rows. Unrolled: the compiler makes vectors of it.
+// u + h sum of the first stages, of so many rows. Unrolled: the compiler makes vectors of it.
 template <int kStage, int kCount>
-void advance(double h, const Rows& y, const Stages& k, Rows* result) {
+void advance(double h, const Rows& u, const Stages& k, Rows* result) {
   for (int r = 0; r < kCount; ++r) {
     double sum = kA[kStage][0] * k[0][r];
     if constexpr (kStage > 1 && kStage < 6) sum += kA[kStage][1] * k[1][r];
@@ -91,25 +91,25 @@ void advance(double h, const Rows& y, const Stages& k, Rows* result) {
     if constexpr (kStage > 3) sum += kA[kStage][3] * k[3][r];
     if constexpr (kStage > 4) sum += kA[kStage][4] * k[4][r];
     if constexpr (kStage > 5) sum += kA[kStage][5] * k[5][r];
-    (*result)[r] = y[r] + h * sum;
+    (*result)[r] = u[r] + h * sum;
   }
 }
 
-// One step from (t, y) with k[0] known; leaves the new derivative in k[6] (first same as last).
-void step(const ShotParameters& p, double t, double h, const Rows& y, Stages* stages, Rows* next) {
+// One step from (t, u) with k[0] known; leaves the new derivative in k[6] (first same as last).
+void step(const ShotParameters& p, double t, double h, const Rows& u, Stages* stages, Rows* next) {
   Stages& k = *stages;
   Rows stage;
-  advance<1, kFeedback>(h, y, k, &stage);
+  advance<1, kFeedback>(h, u, k, &stage);
   derivative(p, t + kC[1] * h, stage, &k[1]);
-  advance<2, kFeedback>(h, y, k, &stage);
+  advance<2, kFeedback>(h, u, k, &stage);
   derivative(p, t + kC[2] * h, stage, &k[2]);
-  advance<3, kFeedback>(h, y, k, &stage);
+  advance<3, kFeedback>(h, u, k, &stage);
   derivative(p, t + kC[3] * h, stage, &k[3]);
-  advance<4, kFeedback>(h, y, k, &stage);
+  advance<4, kFeedback>(h, u, k, &stage);
   derivative(p, t + kC[4] * h, stage, &k[4]);
-  advance<5, kFeedback>(h, y, k, &stage);
+  advance<5, kFeedback>(h, u, k, &stage);
   derivative(p, t + kC[5] * h, stage, &k[5]);
-  advance<6, kRows>(h, y, k, next);
+  advance<6, kRows>(h, u, k, next);
   derivative(p, t + h, *next, &k[6]);
 }
 
@@ -133,13 +133,13 @@ void begin(Shot* shot) {
 }
 
 // An accepted step.
-void record(const Rows& y, const std::array<double, 2>& error, Shot* shot) {
-  shot->turning.emplace_back(y[kDAlpha], y[kDAlpha + 1]);
+void record(const Rows& u, const std::array<double, 2>& error, Shot* shot) {
+  shot->turning.emplace_back(u[kDAlpha], u[kDAlpha + 1]);
   shot->alpha_error = std::max(shot->alpha_error, error[0]);
   shot->moment_error = std::max(shot->moment_error, error[1]);
 }
 
-bool physical(const Rows& y) { return std::abs(y[kAlpha]) < 100.0 && std::abs(y[kMoment]) < 1e6; }
+bool physical(const Rows& u) { return std::abs(u[kAlpha]) < 100.0 && std::abs(u[kMoment]) < 1e6; }
 
 }  // namespace
 
@@ -153,10 +153,10 @@ ShotState shotDerivative(const ShotParameters& p, double t, const ShotState& sta
 
 bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotState& start,
                    const ShotTolerance& tolerance, StepGrid* grid, Shot* shot) {
-  Rows y = initialRows(start);
+  Rows u = initialRows(start);
   Rows next;
   Stages k;
-  derivative(p, t0, y, &k[0]);
+  derivative(p, t0, u, &k[0]);
   double h = grid->empty() ? 0.5 : grid->front();
   grid->clear();
   begin(shot);
@@ -167,7 +167,7 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
     // Two halves rather than a whole step and a sliver.
     const bool last = h >= left;
     const double dt = last ? left : std::min(h, h > 0.5 * left ? 0.5 * left : h);
-    step(p, t, dt, y, &k, &next);
+    step(p, t, dt, u, &k, &next);
     shot->work += kOneStep;
     const std::array<double, 2> errors = errorOf(dt, k);
     const double error = std::max(errors[0] / tolerance.alpha, errors[1] / tolerance.moment);
@@ -178,13 +178,13 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
     }
     const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.2), 0.2, 5.0);
     if (error <= 1.0) {
-      y = next;
+      u = next;
       t += dt;
       k[0] = k[kStages - 1];
       grid->push_back(dt);
-      record(y, errors, shot);
+      record(u, errors, shot);
       if (last) {
-        finish(y, shot);
+        finish(u, shot);
         return true;
       }
     }
@@ -195,23 +195,23 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
 
 bool shootOnGrid(const ShotParameters& p, double t0, const ShotState& start, const StepGrid& grid, double scale,
                  Shot* shot) {
-  Rows y = initialRows(start);
+  Rows u = initialRows(start);
   Stages k;
   Rows next;
-  derivative(p, t0, y, &k[0]);
+  derivative(p, t0, u, &k[0]);
   begin(shot);
   double t = t0;
   for (const double recorded : grid) {
     const double dt = scale * recorded;
-    step(p, t, dt, y, &k, &next);
+    step(p, t, dt, u, &k, &next);
     shot->work += kOneStep;
     if (!physical(next)) return false;
-    y = next;
+    u = next;
     t += dt;
-    record(y, errorOf(dt, k), shot);
+    record(u, errorOf(dt, k), shot);
     k[0] = k[kStages - 1];
   }
-  finish(y, shot);
+  finish(u, shot);
   return true;
 }
 

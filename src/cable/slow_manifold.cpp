@@ -1,12 +1,12 @@
-#include "cdpr_kinetostatics/cable/slow_manifold.h"
+#include "cable/slow_manifold.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "slow_series.h"
+#include "cable/catenary.h"
+#include "cable/slow_series.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -109,7 +109,7 @@ Polar slowMoment(const ShotParameters& p, const Force& f, int order) {
 double alongH(const Polar& a, const Force& f) { return (f.c * a.radial - f.s * a.angular) / f.tension; }
 double alongU(const Polar& a, const Force& f) { return (f.s * a.radial + f.c * a.angular) / f.tension; }
 
-// (x', w') less those of the catenary.
+// (x', y') less those of the catenary.
 std::array<Polar, 2> excess(const ShotParameters& p, const Force& f, int order) {
   const Polar beta = slowAngle(p, f, order);
   const double tau = p.eps * f.tension;
@@ -203,7 +203,7 @@ SlowState slowState(const ShotParameters& p, double t, int order) {
   state.derivative << alpha_h, -alpha_u, p.q * alpha_u, alongH(moment, f), -moment_u, p.q * moment_u;
 
   // dm = rho da with rho^2 = T cos(beta) - rho'/e, in two terms. The modes shift the cable across the force by
-  // the change of the moment over the force (m' = h w' + v(t) x'), on average where they have fallen to 1/e.
+  // the change of the moment over the force (m' = h y' + v(t) x'), on average where they have fallen to 1/e.
   const double rate = std::sqrt(f.tension * std::cos(beta.value));
   const double rise = p.q * f.s / (1.0 + p.eps * f.tension);  // dT/dp
   const double bend = 0.25 * rise / f.tension;

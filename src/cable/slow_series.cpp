@@ -1,4 +1,4 @@
-#include "slow_series.h"
+#include "cable/slow_series.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/cable/straight.h"
+#include "cable/straight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,12 @@ EndPoint straightEnd(const CableProperties& cable, double h, double v_a, double 
   return end;
 }
 
-ForcesAtA straightForces(const CableProperties& cable, double length, double x, double w) {
-  const double chord = std::hypot(x, w);
+ForcesAtA straightForces(const CableProperties& cable, double length, double x, double y) {
+  const double chord = std::hypot(x, y);
   const double half_weight = 0.5 * cable.weight * length;
   if (chord <= length) return {0.0, half_weight};
   const double tension = cable.axial_stiffness * (chord - length) / length;
-  return {tension * x / chord, half_weight - tension * w / chord};
+  return {tension * x / chord, half_weight - tension * y / chord};
 }
 
 }  // namespace cdpr_kinetostatics

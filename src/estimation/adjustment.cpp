@@ -1,13 +1,13 @@
-#include "cdpr_kinetostatics/estimation/adjustment.h"
+#include "estimation/adjustment.h"
 
 #include <ceres/ceres.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "adjustment_statistics.h"
-#include "cdpr_kinetostatics/robot/coupled_newton.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "estimation/adjustment_statistics.h"
+#include "robot/coupled_newton.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -52,8 +52,8 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   Eigen::Quaterniond orientation = start.pose.orientation;
   std::vector<double> densities;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CableLine line = cableLine(robot.cables[i], start.pose);
-    densities.push_back(start.forces[i].horizontal / distanceBeside(line, start.lengths[i]));
+    const CablePlane plane = cablePlane(robot.cables[i], start.pose);
+    densities.push_back(start.forces[i].horizontal / distanceBeside(plane.x, start.lengths[i]));
   }
   const bool rigid = robot.type == PlatformType::kRigidBody;
   ceres::Problem problem;

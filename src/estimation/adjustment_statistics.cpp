@@ -1,4 +1,4 @@
-#include "adjustment_statistics.h"
+#include "estimation/adjustment_statistics.h"
 
 #include <Eigen/QR>
 #include <vector>

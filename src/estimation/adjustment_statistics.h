@@ -1,7 +1,7 @@
 // What the Jacobian of an adjustment says of its observations and its answer (docs/theory.md section 5).
 #pragma once
 
-#include "cdpr_kinetostatics/estimation/adjustment.h"
+#include "estimation/adjustment.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,4 @@
-#include "cold_start.h"
+#include "estimation/cold_start.h"
 
 #include <cmath>
 
@@ -16,18 +16,19 @@ RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iter
   start.pose = seed;
   std::vector<double> lengths;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CableLine line = cableLine(robot.cables[i], seed);
-    lengths.push_back(measured.measurements.lengths[i].value_or(std::hypot(line.x, line.w)));
+    const CablePlane plane = cablePlane(robot.cables[i], seed);
+    lengths.push_back(measured.measurements.lengths[i].value_or(std::hypot(plane.x, plane.y)));
   }
   static_cast<void>(roughStart(robot, Wrench::Zero(), lengths, measured.deadline, &start, iterations));
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const std::optional<double>& tension = measured.measurements.tensions[i];
     const double weight = robot.cables[i].properties.weight * lengths[i];
     if (!tension || *tension <= 0.5 * weight) continue;  // as slack as its length makes it
-    const CableLine line = cableLine(robot.cables[i], start.pose);
-    const double chord = std::hypot(line.x, line.w);
+    const CablePlane plane = cablePlane(robot.cables[i], start.pose);
+    const double chord = std::hypot(plane.x, plane.y);
     if (lengths[i] > kSlack * chord) continue;
-    start.forces[i] = {*tension * distanceBeside(line, lengths[i]) / chord, 0.5 * weight - *tension * line.w / chord};
+    start.forces[i] = {*tension * distanceBeside(plane.x, lengths[i]) / chord,
+                       0.5 * weight - *tension * plane.y / chord};
   }
   return start;
 }

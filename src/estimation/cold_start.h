@@ -1,7 +1,7 @@
 // Where an adjustment starts without a last estimate.
 #pragma once
 
-#include "measured_robot.h"
+#include "estimation/measured_robot.h"
 
 namespace cdpr_kinetostatics {
 

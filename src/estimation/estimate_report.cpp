@@ -1,14 +1,14 @@
-#include "estimate_report.h"
+#include "estimation/estimate_report.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
-#include "fault_search.h"
-#include "model_effect.h"
+#include "estimation/estimate_error.h"
+#include "estimation/fault_search.h"
+#include "robot/platform_error.h"
+#include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -28,7 +28,7 @@ void fillCables(const MeasuredRobot& measured, Candidate* candidate, Estimate* e
 void fillCovariance(const RobotDescription& robot, const Eigen::MatrixXd& information, Estimate* estimate) {
   const auto n = static_cast<Eigen::Index>(robot.freedoms());
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(n);  // rotations as displacements of the platform's rim
-  if (n == 6) scale.tail<3>().setConstant(1.0 / std::max(robot.platformRadius(), 1e-6 * robot.span()));
+  if (n == 6) scale.tail<3>().setConstant(1.0 / robot.lever());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * information * scale.asDiagonal());
   const double least = 1.0 / std::pow(kUnobservable * robot.span(), 2);
   estimate->covariance = kUnknownVariance * Eigen::Matrix<double, 6, 6>::Identity();
@@ -51,7 +51,7 @@ void fillLoadCovariance(const RobotDescription& robot, const Adjusted& adjusted,
     if (!adjusted.load_unknown(k)) continue;
     estimate->load_covariance.row(k).setZero();
     estimate->load_covariance.col(k).setZero();
-    const double lever = k < 3 ? 1.0 : std::max(robot.platformRadius(), 1e-6 * robot.span());
+    const double lever = k < 3 ? 1.0 : robot.lever();
     estimate->load_covariance(k, k) = std::pow(kUnknownLoad * robot.weight() * lever, 2);
   }
 }
@@ -67,9 +67,9 @@ Estimate report(const MeasuredRobot& measured, Candidate* candidate) {
   estimate.solution.report.status = adjusted.status;
   Wrench cables = Wrench::Zero();
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CableLine line = cableLine(robot.cables[i], at.pose);
-    cables += wrenchAt(line.arm, forceOnPlatform(line, at.forces[i].horizontal, at.forces[i].vertical,
-                                                 robot.cables[i].properties.weight * at.lengths[i]));
+    const CablePlane plane = cablePlane(robot.cables[i], at.pose);
+    cables += wrenchAt(plane.arm, forceOnPlatform(plane, at.forces[i].horizontal, at.forces[i].vertical,
+                                                  robot.cables[i].properties.weight * at.lengths[i]));
     const double tension = std::hypot(at.forces[i].horizontal, at.forces[i].vertical);
     estimate.length_residual.push_back(measured.available.lengths[i] ? *measured.measurements.lengths[i] - at.lengths[i]
                                                                      : 0.0);

@@ -1,7 +1,7 @@
 // From an adjustment to what users get: pose with covariance, load, cables, residuals, faults.
 #pragma once
 
-#include "measured_robot.h"
+#include "estimation/measured_robot.h"
 
 namespace cdpr_kinetostatics {
 

@@ -10,7 +10,7 @@ namespace cdpr_kinetostatics {
 Wrench EstimatorOptions::defaultLoadStddev(const RobotDescription& robot) {
   Wrench stddev;
   stddev << Eigen::Vector3d::Constant(0.01 * robot.weight()),
-      Eigen::Vector3d::Constant(0.01 * robot.weight() * std::max(robot.platformRadius(), 1e-6 * robot.span()));
+      Eigen::Vector3d::Constant(0.01 * robot.weight() * robot.lever());
   return stddev;
 }
 

@@ -1,4 +1,4 @@
-#include "fault_search.h"
+#include "estimation/fault_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Which measurements are at fault: data snooping, and mistrust of what jumps.
 #pragma once
 
-#include "measured_robot.h"
+#include "estimation/measured_robot.h"
 
 namespace cdpr_kinetostatics {
 

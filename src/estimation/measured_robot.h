@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "cdpr_kinetostatics/estimation/adjustment.h"
+#include "estimation/adjustment.h"
 
 namespace cdpr_kinetostatics {
 
@@ -21,7 +21,7 @@ struct MeasuredRobot {
 struct Candidate {
   Adjusted adjusted;
   Selection selection;
-  // Per cable: d(translation, rotation vector)/d(x, w), how the pose moves if the cable's end lay elsewhere in its
+  // Per cable: d(translation, rotation vector)/d(x, y), how the pose moves if the cable's end lay elsewhere in its
   // plane under the same forces [-, rad/m]; empty until model_effect.h needs it.
   std::vector<Eigen::Matrix<double, 6, 2>> pose_by_end;
 };

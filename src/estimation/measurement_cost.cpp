@@ -1,26 +1,18 @@
-#include "cdpr_kinetostatics/estimation/measurement_cost.h"
+#include "estimation/measurement_cost.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
+#include "cable/iteration_schedule.h"
+#include "geometry/spatial.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
 constexpr int kMaxClosureIterations = 30;
-constexpr int kAdaptiveIterations = 10;
-constexpr double kFreezeBelow = 1e-3;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-// Rotation vector of a small change of the quaternion's coefficients: w = 2 (dq conj(q)).vec.
-Eigen::Matrix<double, 3, 4> rotationByQuaternion(const Eigen::Quaterniond& q) {
-  Eigen::Matrix<double, 3, 4> matrix;
-  matrix << q.w(), -q.z(), q.y(), -q.x(), q.z(), q.w(), -q.x(), -q.y(), -q.y(), q.x(), q.w(), -q.z();
-  return 2.0 * matrix;
-}
 
 }  // namespace
 
@@ -49,8 +41,8 @@ MeasurementCost::MeasurementCost(const RobotDescription& robot, const EstimatorO
 bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) const {
   SaggingCable& cable = cables_[i];
   Sensitivity& s = sensitivities_[i];
-  s.line = cableLine(robot_.cables[i], pose);
-  const double x = distanceBeside(s.line, cable.length());
+  s.plane = cablePlane(robot_.cables[i], pose);
+  const double x = distanceBeside(s.plane.x, cable.length());
   bool adapt = !linearised_;
   for (int k = 0; k < kMaxClosureIterations; ++k) {
     const bool fresh = k > 0 || !linearised_;
@@ -58,24 +50,20 @@ bool MeasurementCost::close(std::size_t i, const Pose& pose, double density) con
     const Eigen::Matrix<double, 2, 3>& jacobian = cable.end().jacobian;
     const Eigen::Matrix2d inverse = jacobian.rightCols<2>().inverse();
     Eigen::Vector3d change(density * x - cable.horizontalForce(), 0.0, 0.0);
-    const Eigen::Vector2d defect = Eigen::Vector2d(x, s.line.w) - cable.end().position;
+    const Eigen::Vector2d defect = Eigen::Vector2d(x, s.plane.y) - cable.end().position;
     change.tail<2>() = inverse * (defect - jacobian.col(0) * change.x());
     if (!change.allFinite()) return false;
     const double size = std::max(
         {change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length(), cable.angleChange(change)});
     cable.step(change, std::min(1.0, cable.dampingFor(change)));
     if (size <= options_.tolerance && fresh && !adapt) {
-      Eigen::Matrix<double, 3, 6> motion;  // of B
-      motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
-      Eigen::Matrix<double, 2, 3> in_plane;
-      in_plane << s.line.direction.transpose(), Eigen::RowVector3d::UnitZ();
-      const Eigen::Matrix<double, 2, 6> end_by_pose = in_plane * motion;
+      const Eigen::Matrix<double, 2, 6> end_by_pose = s.plane.toPlane() * motionOfPoint(s.plane.arm);
       s.by_pose.row(0) = density * end_by_pose.row(0);
       s.by_pose.bottomRows<2>() = inverse * (end_by_pose - jacobian.col(0) * s.by_pose.row(0));
       s.by_density << x, -inverse * jacobian.col(0) * x;
       return true;
     }
-    adapt = size > kFreezeBelow && k < kAdaptiveIterations;
+    adapt = choosesStepsNext(size, k);
   }
   return false;
 }
@@ -90,19 +78,16 @@ LoadBalance MeasurementCost::loadBalance(const Pose& pose, const double* densiti
     const double q = robot_.cables[i].properties.weight;
     const double density = densities[i];
     const Eigen::Vector3d force =
-        forceOnPlatform(s.line, cables_[i].horizontalForce(), cables_[i].verticalForceA(), q * cables_[i].length());
+        forceOnPlatform(s.plane, cables_[i].horizontalForce(), cables_[i].verticalForceA(), q * cables_[i].length());
     const Eigen::RowVector3d vertical(0.0, 1.0, -q);
-    Eigen::Matrix<double, 3, 6> motion;
-    motion << Eigen::Matrix3d::Identity(), -cross(s.line.arm);
-    Eigen::Matrix<double, 3, 6> force_by_pose = Eigen::Vector3d(-density, -density, 0.0).asDiagonal() * motion;
+    Eigen::Matrix<double, 3, 6> force_by_pose =
+        Eigen::Vector3d(-density, -density, 0.0).asDiagonal() * motionOfPoint(s.plane.arm);
     force_by_pose.row(2) = vertical * s.by_pose;
     const Eigen::Vector3d force_by_density =
-        -s.line.x * s.line.direction + vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
-    balance.total += wrenchAt(s.line.arm, force);
-    balance.by_pose.topRows<3>() += force_by_pose;
-    balance.by_pose.bottomRows<3>() += cross(s.line.arm) * force_by_pose;
-    balance.by_pose.bottomRightCorner<3, 3>() += cross(force) * cross(s.line.arm);
-    balance.by_density.col(static_cast<Eigen::Index>(i)) = wrenchAt(s.line.arm, force_by_density);
+        -s.plane.x * s.plane.direction + vertical.dot(s.by_density) * Eigen::Vector3d::UnitZ();
+    balance.total += wrenchAt(s.plane.arm, force);
+    balance.by_pose += wrenchByMotion(s.plane.arm, force, force_by_pose);
+    balance.by_density.col(static_cast<Eigen::Index>(i)) = wrenchAt(s.plane.arm, force_by_density);
   }
   return balance;
 }

@@ -5,11 +5,11 @@
 #include <sstream>
 #include <utility>
 
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
-#include "cold_start.h"
-#include "estimate_report.h"
-#include "fault_search.h"
-#include "model_effect.h"
+#include "estimation/cold_start.h"
+#include "estimation/estimate_error.h"
+#include "estimation/estimate_report.h"
+#include "estimation/fault_search.h"
+#include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -90,7 +90,7 @@ Estimate PoseEstimator::update(const CableMeasurements& measurements) {
   const Status check = checkMeasurements(robot_, measurements);
   Estimate estimate;
   if (check.ok()) {
-    const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options_.timeout);
+    const Clock::time_point deadline = deadlineAfter(options_.timeout);
     MeasuredRobot measured{robot_, options_, measurements, deadline, available(robot_, options_, measurements), {}};
     estimate = solve(&measured);
   } else {

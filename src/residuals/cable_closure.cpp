@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/bending.h"
-#include "cdpr_kinetostatics/cable/bending_effect.h"
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/cable/straight.h"
-#include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
+#include "cable/bending.h"
+#include "cable/bending_expansion.h"
+#include "cable/cable_evaluation.h"
+#include "cable/straight.h"
+#include "geometry/spatial.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -62,7 +62,7 @@ bool CableClosure::Evaluate(double const* const* parameters, double* residuals, 
 
 std::unique_ptr<CableClosure> makeClosure(Model model, const CableProperties& cable, const Eigen::Vector3d& anchor,
                                           const Eigen::Vector3d& attachment, double length_scale,
-                                          const BendingOptions& options) {
+                                          const SolveLimits& options) {
   const CableProperties seen = asSeenBy(model, cable);
   if (isStraight(model)) return std::make_unique<StraightClosure>(seen, anchor, attachment, length_scale);
   if (isBending(model) && seen.bending_stiffness > 0.0) {
@@ -91,7 +91,7 @@ bool CatenaryClosure::endPoint(double h, double v, double length, EndPoint* end)
 }
 
 BendingClosure::BendingClosure(const CableProperties& cable, const Eigen::Vector3d& anchor,
-                               const Eigen::Vector3d& attachment, double length_scale, const BendingOptions& options)
+                               const Eigen::Vector3d& attachment, double length_scale, const SolveLimits& options)
     : CableClosure(anchor, attachment, length_scale), cable_(cable), options_(options) {}
 
 bool BendingClosure::endPoint(double h, double v, double length, EndPoint* end) const {

@@ -1,18 +1,12 @@
 #include "cdpr_kinetostatics/residuals/platform_equilibrium.h"
 
-#include "cdpr_kinetostatics/residuals/quaternion_rotation.h"
+#include "geometry/spatial.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& a) {
-  Eigen::Matrix3d matrix;
-  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return matrix;
-}
 
 }  // namespace
 
@@ -39,7 +33,7 @@ bool PlatformEquilibrium::Evaluate(double const* const* parameters, double* resi
   total.tail<3>() += com.cross(gravity);
   Eigen::Matrix<double, 6, 3> by_position = Eigen::Matrix<double, 6, 3>::Zero();
   Eigen::Matrix<double, 6, 4> by_orientation = Eigen::Matrix<double, 6, 4>::Zero();
-  by_orientation.bottomRows<3>() = -crossMatrix(gravity) * rotationJacobian(orientation, platform_.com);
+  by_orientation.bottomRows<3>() = -cross(gravity) * rotationJacobian(orientation, platform_.com);
 
   for (std::size_t i = 0; i < count; ++i) {
     const Cable& cable = cables_[i];
@@ -53,13 +47,13 @@ bool PlatformEquilibrium::Evaluate(double const* const* parameters, double* resi
     total.tail<3>() += arm.cross(force);
     if (jacobians == nullptr) continue;
 
-    const Eigen::Matrix3d arm_cross = crossMatrix(arm);
+    const Eigen::Matrix3d arm_cross = cross(arm);
     const Eigen::Matrix3d by_b = Eigen::Vector3d(-density, -density, 0.0).asDiagonal();
     const Eigen::Matrix<double, 3, 4> turn = rotationJacobian(orientation, cable.attachment);
     by_position.topRows<3>() += by_b;
     by_position.bottomRows<3>() += arm_cross * by_b;
     by_orientation.topRows<3>() += by_b * turn;
-    by_orientation.bottomRows<3>() += arm_cross * by_b * turn - crossMatrix(force) * turn;
+    by_orientation.bottomRows<3>() += arm_cross * by_b * turn - cross(force) * turn;
     if (jacobians[2 + i] != nullptr) {
       Eigen::Matrix<double, 6, 2> by_force;
       by_force.topRows<3>() << Eigen::Vector3d(-to_b.x(), -to_b.y(), 0.0), Eigen::Vector3d::UnitZ();

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/robot/basin_search.h"
+#include "robot/basin_search.h"
 
 #include <ceres/ceres.h>
 
@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
-#include "cdpr_kinetostatics/robot/residual_blocks.h"
-#include "cdpr_kinetostatics/robot/spring_platform.h"
+#include "cable/cable_evaluation.h"
+#include "robot/platform_statics.h"
+#include "robot/residual_blocks.h"
+#include "robot/spring_platform.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -70,17 +70,17 @@ Status descendWithSprings(const RobotDescription& robot, const Wrench& external,
 
 ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& pose, double length) {
   const CableDescription& cable = robot.cables[i];
-  const CableLine line = cableLine(cable, pose);
-  const double chord = std::hypot(line.x, line.w);
+  const CablePlane plane = cablePlane(cable, pose);
+  const double chord = std::hypot(plane.x, plane.y);
   const double cable_weight = cable.properties.weight * length;
   if (length > 1.0001 * chord && cable_weight > 0.0) {
     const CableProperties seen = asSeenBy(Model::kCatenary, cable.properties);
-    const auto catenary = catenaryForces(seen, length, std::max(line.x, 1e-3 * length), line.w);
+    const auto catenary = catenaryForces(seen, length, std::max(plane.x, 1e-3 * length), plane.y);
     if (catenary && catenary->horizontal > 0.0) return *catenary;
   }
   const double share = std::max(robot.weight() / robot.freedoms(), 10.0 * cable_weight);
-  const double x = distanceBeside(line, length);
-  return {share * x / chord, 0.5 * cable_weight - share * line.w / chord};
+  const double x = distanceBeside(plane.x, length);
+  return {share * x / chord, 0.5 * cable_weight - share * plane.y / chord};
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   std::vector<std::array<double, 2>> forces(count);
   std::vector<double> lengths(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = distanceBeside(cableLine(robot.cables[i], state->pose), state->lengths[i]);
+    const double x = distanceBeside(cablePlane(robot.cables[i], state->pose).x, state->lengths[i]);
     lengths[i] = state->lengths[i] / units.length;
     forces[i] = {state->forces[i].horizontal / x * units.length / units.force, state->forces[i].vertical / units.force};
   }
@@ -152,7 +152,7 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   state->pose.position = units.length * position;
   state->pose.orientation = orientation.normalized();
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = distanceBeside(cableLine(robot.cables[i], state->pose), state->lengths[i]);
+    const double x = distanceBeside(cablePlane(robot.cables[i], state->pose).x, state->lengths[i]);
     state->forces[i] = {units.force / units.length * forces[i][0] * x, units.force * forces[i][1]};
   }
   if (std::chrono::steady_clock::now() > deadline) {

@@ -1,4 +1,4 @@
-#include "cable_keys.h"
+#include "robot/cable_keys.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/robot_description.h"
-#include "yaml_map.h"
+#include "robot/yaml_map.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/robot/coupled_newton.h"
+#include "robot/coupled_newton.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "cable/iteration_schedule.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -14,11 +15,6 @@ namespace {
 // Farthest that the platform moves in one iteration: a share of the robot's span, and an angle.
 constexpr double kMaxShareOfSpan = 0.05;
 constexpr double kMaxRotation = 0.2;  // [rad]
-
-// Below this size of a step the integration of bending cables keeps its grid.
-constexpr double kFreezeBelow = 1e-3;
-// And after so many iterations in any case: forces of cables that hardly stretch jitter with the grid.
-constexpr int kAdaptiveIterations = 10;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 // The rows and columns of the robot's freedoms, on the stack.
@@ -33,26 +29,6 @@ constexpr double kLeastDistance = 1e-9;
 
 }  // namespace
 
-// A cable pulls with force, which changes with its end by stiffness in its plane, and by -across out of it: the plane
-// turns with B.
-void CoupledNewton::addCable(const CableLine& line, const Eigen::Matrix2d& stiffness, const Eigen::Vector3d& force,
-                             double across) {
-  const Eigen::Vector3d& direction = line.direction;
-  Eigen::Matrix<double, 3, 2> to_world;
-  to_world << -direction, Eigen::Vector3d::UnitZ();
-  Eigen::Matrix<double, 2, 3> in_plane;
-  in_plane << direction.transpose(), Eigen::RowVector3d::UnitZ();
-  const Eigen::Vector3d side(-direction.y(), direction.x(), 0.0);
-  const Eigen::Matrix3d by_translation = to_world * stiffness * in_plane - across * side * side.transpose();
-  const Eigen::Matrix3d arm = cross(line.arm);
-  const Eigen::Matrix3d by_rotation = -by_translation * arm;
-  unbalanced_ += wrenchAt(line.arm, force);
-  stiffness_.topLeftCorner<3, 3>() += by_translation;
-  stiffness_.topRightCorner<3, 3>() += by_rotation;
-  stiffness_.bottomLeftCorner<3, 3>() += arm * by_translation;
-  stiffness_.bottomRightCorner<3, 3>() += arm * by_rotation + cross(force) * arm;
-}
-
 bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState* state) {
   unbalanced_ = loadWrench(robot_, state->pose, external);
   stiffness_ = weightStiffness(robot_, state->pose);
@@ -62,18 +38,19 @@ bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState*
     const bool adapt = steps == Steps::kNew || (steps == Steps::kNewWhereDue && !cable.stepsFit());
     if (!cable.linearise(adapt)) return false;
     Elimination& e = cables_[i];
-    e.line = cableLine(robot_.cables[i], state->pose);
+    e.plane = cablePlane(robot_.cables[i], state->pose);
     const Eigen::Matrix<double, 2, 3>& jacobian = cable.end().jacobian;
     e.stiffness = jacobian.leftCols<2>().inverse();
     e.by_length = -e.stiffness * jacobian.col(2);
-    const Eigen::Vector2d defect = Eigen::Vector2d(e.line.x, e.line.w) - cable.end().position;
+    const Eigen::Vector2d defect = Eigen::Vector2d(e.plane.x, e.plane.y) - cable.end().position;
     closure_defect_ = std::max(closure_defect_, defect.norm() / cable.length());
     e.start = e.stiffness * defect;
 
     const double weight = cable.properties().weight * cable.length();
     const double h = cable.horizontalForce() + e.start.x();
-    const Eigen::Vector3d force = forceOnPlatform(e.line, h, cable.verticalForceA() + e.start.y(), weight);
-    addCable(e.line, e.stiffness, force, forceDensity(e.line, h, e.stiffness));
+    const Eigen::Vector3d force = forceOnPlatform(e.plane, h, cable.verticalForceA() + e.start.y(), weight);
+    unbalanced_ += wrenchAt(e.plane.arm, force);
+    addCableStiffness(e.plane, e.stiffness, force, forceDensity(e.plane, h, e.stiffness), &stiffness_);
   }
   return unbalanced_.allFinite() && stiffness_.allFinite();
 }
@@ -82,7 +59,7 @@ bool CoupledNewton::solve() {
   Wrench scale = Wrench::Ones();
   Matrix6 scaled = stiffness_;
   if (robot_.freedoms() == 6) {
-    scale.tail<3>().setConstant(1.0 / std::max(robot_.platformRadius(), 1e-6 * robot_.span()));
+    scale.tail<3>().setConstant(1.0 / robot_.lever());
     scaled = scale.asDiagonal() * stiffness_ * scale.asDiagonal();
   } else {  // a point mass does not turn
     scaled.rightCols<3>().setZero();
@@ -104,10 +81,10 @@ double CoupledNewton::predict(const std::vector<double>& lengths, const Wrench& 
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     Elimination& e = cables_[i];
     const SaggingCable& cable = state->cables[i];
-    const CableLine line = cableLine(robot_.cables[i], state->pose);
+    const CablePlane plane = cablePlane(robot_.cables[i], state->pose);
     Law& law = e.law;
-    law.chord = std::hypot(line.x, line.w);
-    law.along = Eigen::Vector2d(line.x, line.w) / law.chord;
+    law.chord = std::hypot(plane.x, plane.y);
+    law.along = Eigen::Vector2d(plane.x, plane.y) / law.chord;
     const double q = cable.properties().weight;
     const double length_change = lengths[i] - cable.length();
     const Eigen::Vector2d force(cable.horizontalForce(), 0.5 * q * cable.length() - cable.verticalForceA());
@@ -123,9 +100,9 @@ double CoupledNewton::predict(const std::vector<double>& lengths, const Wrench& 
     for (std::size_t i = 0; i < cables_.size(); ++i) {
       Elimination& e = cables_[i];
       const Law& law = e.law;
-      e.line = cableLine(robot_.cables[i], pose);
-      const double chord = std::hypot(e.line.x, e.line.w);
-      const Eigen::Vector2d along = Eigen::Vector2d(e.line.x, e.line.w) / chord;
+      e.plane = cablePlane(robot_.cables[i], pose);
+      const double chord = std::hypot(e.plane.x, e.plane.y);
+      const Eigen::Vector2d along = Eigen::Vector2d(e.plane.x, e.plane.y) / chord;
       Eigen::Matrix2d turn;
       turn.col(0) << along.dot(law.along), law.along.x() * along.y() - law.along.y() * along.x();
       turn.col(1) = quarter(turn.col(0));
@@ -137,8 +114,9 @@ double CoupledNewton::predict(const std::vector<double>& lengths, const Wrench& 
       stiffness.row(1) *= -1.0;
       const double weight = state->cables[i].properties().weight * lengths[i];
       e.start << force.x(), 0.5 * weight - force.y();  // (H, V)
-      addCable(e.line, stiffness, forceOnPlatform(e.line, e.start.x(), e.start.y(), weight),
-               forceDensity(e.line, e.start.x(), stiffness));
+      const Eigen::Vector3d pull = forceOnPlatform(e.plane, e.start.x(), e.start.y(), weight);
+      unbalanced_ += wrenchAt(e.plane.arm, pull);
+      addCableStiffness(e.plane, stiffness, pull, forceDensity(e.plane, e.start.x(), stiffness), &stiffness_);
     }
     if (iteration == kPredictorIterations) break;
     if (!unbalanced_.allFinite() || !stiffness_.allFinite() || !solve()) return kNowhere;
@@ -159,8 +137,8 @@ double CoupledNewton::predict(const std::vector<double>& lengths, const Wrench& 
 }
 
 Eigen::Vector3d CoupledNewton::change(const Elimination& e) const {
-  const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.line.arm);
-  const Eigen::Vector2d forces = e.start + e.stiffness * Eigen::Vector2d(e.line.direction.dot(moved), moved.z());
+  const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.plane.arm);
+  const Eigen::Vector2d forces = e.start + e.stiffness * Eigen::Vector2d(e.plane.direction.dot(moved), moved.z());
   return {forces.x(), forces.y(), 0.0};
 }
 
@@ -193,12 +171,13 @@ void CoupledNewton::step(CoupledState* state) const {
     // H follows from the new x.
     SaggingCable& cable = state->cables[i];
     const Elimination& e = cables_[i];
-    const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.line.arm);
-    const double density = forceDensity(e.line, cable.horizontalForce(), e.stiffness);
+    const Eigen::Vector3d moved = pose_step_.head<3>() + pose_step_.tail<3>().cross(e.plane.arm);
+    const double density = forceDensity(e.plane, cable.horizontalForce(), e.stiffness);
     Eigen::Vector3d step = change(e);
     const double least = kLeastDistance * cable.length();
-    const double density_step = e.line.x > least ? (step.x() - density * e.line.direction.dot(moved)) / e.line.x : 0.0;
-    const double new_x = cableLine(robot_.cables[i], state->pose).x;
+    const double density_step =
+        e.plane.x > least ? (step.x() - density * e.plane.direction.dot(moved)) / e.plane.x : 0.0;
+    const double new_x = cablePlane(robot_.cables[i], state->pose).x;
     step.x() = ((density + damping * density_step) * new_x - cable.horizontalForce()) / damping;
     cable.step(step, damping);
   }
@@ -236,11 +215,11 @@ CoupledOutcome solveCoupled(const RobotDescription& robot, const Wrench& externa
     }
     const double size = newton.size(*state);
     newton.step(state);
-    if (!adapt && (size <= options.tolerance || (size < 1e-5 && size >= 0.5 * last_size && newton.atRounding()))) {
+    if (!adapt && (size <= options.tolerance || (hasStoppedShrinking(size, last_size) && newton.atRounding()))) {
       outcome.status.code = Code::kConverged;
       return outcome;
     }
-    adapt = size > kFreezeBelow && i < kAdaptiveIterations;
+    adapt = choosesStepsNext(size, i);
     last_size = size;
   }
   outcome.status = {Code::kNotConverged, "Newton's method on the platform's pose did not converge"};

@@ -4,16 +4,16 @@
 #include <optional>
 #include <sstream>
 
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/robot/basin_search.h"
-#include "cdpr_kinetostatics/robot/coupled_newton.h"
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
-#include "cdpr_kinetostatics/robot/rung_choice.h"
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
-#include "cdpr_kinetostatics/robot/stiffening.h"
-#include "cdpr_kinetostatics/robot/straight_forward.h"
+#include "cable/cable_evaluation.h"
+#include "cable/catenary.h"
+#include "robot/basin_search.h"
+#include "robot/coupled_newton.h"
+#include "robot/platform_error.h"
+#include "robot/platform_statics.h"
+#include "robot/rung_choice.h"
+#include "robot/solution_assembly.h"
+#include "robot/stiffening.h"
+#include "robot/straight_forward.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -96,9 +96,9 @@ class ForwardSolve {
   bool skipSearch(Model rung, RobotForces* start) {
     RobotForces closed = *start;
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-      const CableLine line = cableLine(robot_.cables[i], start->pose);
+      const CablePlane plane = cablePlane(robot_.cables[i], start->pose);
       const std::optional<ForcesAtA> forces =
-          catenaryForces(asSeenBy(rung, robot_.cables[i].properties), start->lengths[i], line.x, line.w);
+          catenaryForces(asSeenBy(rung, robot_.cables[i].properties), start->lengths[i], plane.x, plane.y);
       if (!forces) return false;
       closed.forces[i] = *forces;
     }
@@ -122,10 +122,10 @@ class ForwardSolve {
     state_.cables.clear();
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
       SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
-      const CableLine line = cableLine(robot_.cables[i], state_.pose);
+      const CablePlane plane = cablePlane(robot_.cables[i], state_.pose);
       bool started = false;
-      if (isBending(rungs_[i]) && start.lengths[i] > kOwnShapeExcess * std::hypot(line.x, line.w)) {
-        started = cable.startBetween(start.lengths[i], line.x, line.w, {options_.tolerance, deadline_}).ok();
+      if (isBending(rungs_[i]) && start.lengths[i] > kOwnShapeExcess * std::hypot(plane.x, plane.y)) {
+        started = cable.startBetween(start.lengths[i], plane.x, plane.y, {options_.tolerance, deadline_}).ok();
       }
       if (!started) cable.start(start.lengths[i], start.forces[i]);
       state_.cables.push_back(std::move(cable));
@@ -185,7 +185,7 @@ RobotSolution solveForward(const RobotDescription& robot, const ForwardRequest& 
         checkPose(request.seed.value_or(robot.home))}) {
     if (!check.ok()) return refusedRobot(options.model, check);
   }
-  const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(options.timeout);
+  const Clock::time_point deadline = deadlineAfter(options.timeout);
   RobotSolution solution = isStraight(options.model) ? solveStraightForward(robot, request, options, deadline)
                                                      : ForwardSolve(robot, request, options, deadline).run();
   if (options.model == Model::kAuto && solution.report.status.ok()) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "robot/platform_error.h"
+#include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -99,8 +99,8 @@ bool ForwardFollower::adopt(const RobotSolution& solution, const Wrench& externa
     has_lines_ = has_lines_ || isStraight(cable.model);
     state_.cables.emplace_back(robot_.cables[i].properties, cable.model, options_.tolerance);
     SaggingCable& adopted = state_.cables.back();
-    const BendingOptions bending{options_.tolerance};
-    if (!adopted.startBetween(cable.length, cable.x, cable.w, bending).ok()) return false;
+    const SolveLimits bending{options_.tolerance};
+    if (!adopted.startBetween(cable.length, cable.x, cable.y, bending).ok()) return false;
   }
   return converge(external) && isOnBranch(robot_, newton_.stiffness(), state_);
 }

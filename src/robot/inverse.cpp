@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
-#include "inverse_solve.h"
+#include "robot/inverse_solve.h"
+#include "robot/platform_error.h"
+#include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -42,7 +42,7 @@ RobotSolution solveInverse(const RobotDescription& robot, const InverseRequest& 
   Status status = checkInverse(robot, request, options);
   if (!status.ok()) return refusedRobot(options.model, status);
   InverseSolve solve(robot, options);
-  status = solve.solve(request, begin + std::chrono::duration_cast<InverseSolve::Clock::duration>(options.timeout));
+  status = solve.solve(request, deadlineAfter(options.timeout));
   RobotSolution solution = status.ok() ? solve.solution() : refusedRobot(options.model, status);
   solution.report.solve_time = std::chrono::duration<double>(InverseSolve::Clock::now() - begin).count();
   return solution;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
-#include "inverse_solve.h"
+#include "robot/inverse_solve.h"
+#include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -30,8 +30,8 @@ bool InverseSolve::follow(const InverseRequest& request) {
 bool InverseSolve::predict() {
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     InverseCable& c = cables_[i];
-    const CableLine line = cableLine(robot_.cables[i], pose_);
-    const Eigen::Vector3d change = c.by_end * Eigen::Vector2d(line.x - c.line.x, line.w - c.line.w);
+    const CablePlane plane = cablePlane(robot_.cables[i], pose_);
+    const Eigen::Vector3d change = c.by_end * Eigen::Vector2d(plane.x - c.plane.x, plane.y - c.plane.y);
     const double size = std::max(change.head<2>().norm() / c.cable.tensionA(), std::abs(change.z()) / c.cable.length());
     if (!(size < kLongestReach)) return false;
     c.cable.follow(change);
@@ -76,8 +76,7 @@ const Status& InverseFollower::solve(const InverseRequest& request) {
   status_ = checkInverse(robot_, request, options_);
   warm_started_ = status_.ok() && can_follow_ && solve_->follow(request);
   if (status_.ok() && !warm_started_) {
-    status_ =
-        solve_->solve(request, begin + std::chrono::duration_cast<InverseSolve::Clock::duration>(options_.timeout));
+    status_ = solve_->solve(request, deadlineAfter(options_.timeout));
   }
   can_follow_ = status_.ok();
   solve_time_ = std::chrono::duration<double>(InverseSolve::Clock::now() - begin).count();

@@ -1,12 +1,13 @@
-#include "inverse_solve.h"
+#include "robot/inverse_solve.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "cable/iteration_schedule.h"
+#include "robot/platform_error.h"
+#include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -23,23 +24,15 @@ constexpr int kIterationsToFeasibility = 8;
 // attitude free.
 constexpr double kTurnWeight = 1e-2;  // [1/rad]
 
-// Below this size of a step the integration of bending cables keeps its grid.
-constexpr double kFreezeBelow = 1e-3;
-// And after so many iterations in any case: forces of cables that hardly stretch jitter with the grid.
-constexpr int kAdaptiveIterations = 10;
-
 }  // namespace
 
 InverseSolve::InverseSolve(const RobotDescription& robot, const RobotSolverOptions& options)
     : robot_(robot), options_(options) {}
 
-double InverseSolve::armScale() const { return std::max(robot_.platformRadius(), 1e-6 * robot_.span()); }
-
-CableSolverOptions InverseSolve::roughly() const {
-  CableSolverOptions options;
+RungOptions InverseSolve::roughly() const {
+  RungOptions options;
   options.model = startingRung(options_.model);
-  options.tolerance = 1e-6;
-  options.deadline = deadline_;
+  options.limits = {1e-6, deadline_};
   return options;
 }
 
@@ -96,8 +89,8 @@ RobotSolution InverseSolve::solution() const {
   solution.report.iterations = iterations_;
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const CableLine line = cableLine(robot_.cables[i], pose_);
-    cables.push_back(cables_[i].cable.describe(line.x, line.w, options_.profile_points));
+    const CablePlane plane = cablePlane(robot_.cables[i], pose_);
+    cables.push_back(cables_[i].cable.describe(plane.x, plane.y, options_.profile_points));
   }
   assemble(robot_, request_.external_wrench, cables, &solution);
   if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
@@ -106,22 +99,22 @@ RobotSolution InverseSolve::solution() const {
 
 // Every cable at its preferred tension, moved into its limits, on the closed-form rung.
 Status InverseSolve::startCables() {
-  const CableSolverOptions options = roughly();
+  const RungOptions options = roughly();
   cables_.clear();
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     const CableDescription& description = robot_.cables[i];
     InverseCable cable;
     cable.cable = SaggingCable(description.properties, options.model, options_.tolerance);
-    cable.line = cableLine(description, pose_);
+    cable.plane = cablePlane(description, pose_);
     cable.lower = description.tension_min;
     cable.upper = description.tension_max;
     double tension =
         std::clamp(preferred_(static_cast<Eigen::Index>(i)), std::max(cable.lower, 1e-9 * cable.upper), cable.upper);
-    CableSolution start = findLength(description.properties, cable.line.x, cable.line.w, tension, 0.0, options);
+    CableSolution start = lengthOnRung(description.properties, cable.plane.x, cable.plane.y, tension, 0.0, options);
     if (start.status.code == Code::kInfeasible && start.least_tension > 0.0) {
       cable.lower = kAboveFold * start.least_tension;
       tension = cable.lower;
-      start = findLength(description.properties, cable.line.x, cable.line.w, tension, 0.0, options);
+      start = lengthOnRung(description.properties, cable.plane.x, cable.plane.y, tension, 0.0, options);
     }
     if (!start.status.ok()) {
       return {start.status.code, "cable '" + description.name + "': " + start.status.message};
@@ -158,18 +151,16 @@ bool InverseSolve::linearise(Steps steps) {
     InverseCable& c = cables_[i];
     const bool adapt = steps == Steps::kNew || (steps == Steps::kNewWhereDue && !c.cable.stepsFit());
     if (!c.cable.linearise(adapt)) return false;
-    c.line = cableLine(robot_.cables[i], pose_);
+    c.plane = cablePlane(robot_.cables[i], pose_);
     const double tension = c.cable.tensionA();
     Eigen::Matrix3d system;
     system << c.cable.end().jacobian, c.cable.horizontalForce() / tension, c.cable.verticalForceA() / tension, 0.0;
     const Eigen::Matrix3d inverse = system.inverse();
-    const Eigen::Vector2d defect = Eigen::Vector2d(c.line.x, c.line.w) - c.cable.end().position;
-    Eigen::Matrix<double, 2, 3> in_plane;
-    in_plane << c.line.direction.transpose(), Eigen::RowVector3d::UnitZ();
+    const Eigen::Vector2d defect = Eigen::Vector2d(c.plane.x, c.plane.y) - c.cable.end().position;
     c.by_end = inverse.leftCols<2>();
     c.start = c.by_end * defect;
     c.by_tension = inverse.col(2);
-    c.by_turn = c.by_end * in_plane * -cross(c.line.arm);
+    c.by_turn = c.by_end * c.plane.toPlane() * -cross(c.plane.arm);
     if (!inverse.allFinite()) return false;
   }
   return true;
@@ -217,7 +208,7 @@ Status InverseSolve::iterate(double tolerance) {
       if (!isBalanced()) return unbalanced(distribution_.imbalance);
       return {Code::kConverged, ""};
     }
-    adapt = size > kFreezeBelow && i < kAdaptiveIterations;
+    adapt = choosesStepsNext(size, i);
     last_size = size;
   }
   return {Code::kNotConverged, "the tensions did not settle at this pose"};

@@ -5,13 +5,13 @@
 #include <chrono>
 #include <vector>
 
-#include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/cable/sagging_cable.h"
-#include "cdpr_kinetostatics/robot/coupled_newton.h"
+#include "cable/rung_problems.h"
+#include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
-#include "cdpr_kinetostatics/robot/rung_choice.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
+#include "robot/coupled_newton.h"
+#include "robot/platform_statics.h"
+#include "robot/rung_choice.h"
 
 namespace cdpr_kinetostatics {
 
@@ -20,7 +20,7 @@ constexpr double kAboveFold = 1.001;
 
 struct InverseCable {
   SaggingCable cable;
-  CableLine line;
+  CablePlane plane;
   double lower = 0.0;  // limits of T_A in use [N]
   double upper = 0.0;
   // (H, V, L) change by start + by_tension * (t - T_A) + by_turn * rotation; start is by_end times what is open at B.
@@ -64,7 +64,7 @@ class InverseSolve {
   bool linearise(Steps steps);
   TensionDistribution distribute();
   bool isBalanced() const;
-  CableSolverOptions roughly() const;
+  RungOptions roughly() const;
   bool pullBackFromFolds();
   bool raiseLimitsToFolds(const Eigen::VectorXd& tensions);
   Status contradiction(const TensionDistribution& distribution) const;
@@ -75,8 +75,6 @@ class InverseSolve {
 
   bool predict();
   bool converge();
-
-  double armScale() const;
 
   const RobotDescription& robot_;
   const RobotSolverOptions options_;

@@ -4,8 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "inverse_solve.h"
+#include "robot/inverse_solve.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -27,7 +26,7 @@ TensionDistribution InverseSolve::distribute() {
   const int rows = robot_.freedoms();
   const Eigen::Index variables = n + (free_turn_ ? 3 : 0);
   Wrench scale;
-  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / armScale());
+  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / robot_.lever());
 
   Wrench total = loadWrench(robot_, pose_, request_.external_wrench);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, variables);
@@ -41,17 +40,17 @@ TensionDistribution InverseSolve::distribute() {
     const InverseCable& c = cables_[i];
     const double q = c.cable.properties().weight;
     Eigen::Matrix3d force_by_cable;  // by (H, V, L)
-    force_by_cable << -c.line.direction, Eigen::Vector3d::UnitZ(), -q * Eigen::Vector3d::UnitZ();
+    force_by_cable << c.plane.forceByForces(), -q * Eigen::Vector3d::UnitZ();
     const double h = c.cable.horizontalForce() + c.start.x();
     const Eigen::Vector3d force =
-        forceOnPlatform(c.line, c.cable.horizontalForce(), c.cable.verticalForceA(), q * c.cable.length()) +
+        forceOnPlatform(c.plane, c.cable.horizontalForce(), c.cable.verticalForceA(), q * c.cable.length()) +
         force_by_cable * c.start;
-    matrix.col(i) = wrenchAt(c.line.arm, force_by_cable * c.by_tension);
-    total += wrenchAt(c.line.arm, force) - matrix.col(i) * c.cable.tensionA();
+    matrix.col(i) = wrenchAt(c.plane.arm, force_by_cable * c.by_tension);
+    total += wrenchAt(c.plane.arm, force) - matrix.col(i) * c.cable.tensionA();
     if (free_turn_) {
-      const Eigen::Vector3d side(-c.line.direction.y(), c.line.direction.x(), 0.0);
-      const double across = forceDensity(c.line, h, c.by_end.topRows<2>());
-      const Eigen::Matrix3d arm = cross(c.line.arm);
+      const Eigen::Vector3d side = c.plane.side();
+      const double across = forceDensity(c.plane, h, c.by_end.topRows<2>());
+      const Eigen::Matrix3d arm = cross(c.plane.arm);
       const Eigen::Matrix3d force_by_turn = force_by_cable * c.by_turn + across * side * side.transpose() * arm;
       matrix.topRightCorner<3, 3>() += force_by_turn;
       matrix.bottomRightCorner<3, 3>() += arm * force_by_turn + cross(force) * arm;
@@ -73,25 +72,25 @@ bool InverseSolve::isBalanced() const { return distribution_.imbalance <= kBalan
 
 bool InverseSolve::nearFold(const InverseCable& c, double tension) const {
   return !isStraight(options_.model) &&
-         tension < kNearFold * c.cable.properties().weight * std::hypot(c.line.x, c.line.w);
+         tension < kNearFold * c.cable.properties().weight * std::hypot(c.plane.x, c.plane.y);
 }
 
 bool InverseSolve::beyondFold(const InverseCable& c) const {
   return !isStraight(options_.model) && c.by_tension.z() > 0.0 &&
-         c.cable.length() >= kLoopExcess * std::hypot(c.line.x, c.line.w);
+         c.cable.length() >= kLoopExcess * std::hypot(c.plane.x, c.plane.y);
 }
 
 // A tension below the least one that can hold its cable has no length: raises the limit where that would be
 // asked for. True if a limit was raised.
 bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
-  const CableSolverOptions options = roughly();
+  const RungOptions options = roughly();
   bool raised = false;
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     InverseCable& c = cables_[i];
     const double tension = tensions(static_cast<Eigen::Index>(i));
     if (!nearFold(c, tension)) continue;
-    const CableSolution at =
-        findLength(robot_.cables[i].properties, c.line.x, c.line.w, std::max(tension, 1e-12 * c.upper), 0.0, options);
+    const CableSolution at = lengthOnRung(robot_.cables[i].properties, c.plane.x, c.plane.y,
+                                          std::max(tension, 1e-12 * c.upper), 0.0, options);
     if (at.status.ok() || at.least_tension <= c.lower) continue;
     c.lower = kAboveFold * at.least_tension;
     raised = true;
@@ -102,16 +101,16 @@ bool InverseSolve::raiseLimitsToFolds(const Eigen::VectorXd& tensions) {
 // A cable that has stepped over its fold hangs in a deep loop, where more tension means more length: it starts
 // anew on the taut side. True if there was one.
 bool InverseSolve::pullBackFromFolds() {
-  const CableSolverOptions options = roughly();
+  const RungOptions options = roughly();
   bool any = false;
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     InverseCable& c = cables_[i];
     if (!beyondFold(c)) continue;
     const CableProperties& properties = robot_.cables[i].properties;
-    CableSolution taut = findLength(properties, c.line.x, c.line.w, c.cable.tensionA(), 0.0, options);
+    CableSolution taut = lengthOnRung(properties, c.plane.x, c.plane.y, c.cable.tensionA(), 0.0, options);
     if (!taut.status.ok() && taut.least_tension > 0.0) {
       c.lower = std::max(c.lower, kAboveFold * taut.least_tension);
-      taut = findLength(properties, c.line.x, c.line.w, c.lower, 0.0, options);
+      taut = lengthOnRung(properties, c.plane.x, c.plane.y, c.lower, 0.0, options);
     }
     if (!taut.status.ok()) continue;
     c.cable.start(taut.length, {taut.horizontal_force, taut.vertical_force_a});

@@ -3,20 +3,17 @@
 
 #include <Eigen/LU>
 
-#include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
-
-// Wrench of a change of a cable's forces (H, V) at a fixed end.
-Eigen::Matrix<double, 6, 2> wrenchByForces(const CableLine& line);
 
 class LinearRobot {
  public:
   LinearRobot(const RobotDescription& robot, const Pose& pose);
 
-  // stiffness: d(H, V)/d(x, w).
-  void add(const CableLine& line, const Eigen::Matrix2d& stiffness, double h, const Eigen::Vector3d& force);
+  // stiffness: d(H, V)/d(x, y).
+  void add(const CablePlane& plane, const Eigen::Matrix2d& stiffness, double h, const Eigen::Vector3d& force);
 
   // False where the stiffness is singular.
   bool factorise();

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/robot/residual_blocks.h"
+#include "robot/residual_blocks.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ std::unique_ptr<PlatformEquilibrium> equilibriumBlock(const RobotDescription& ro
 }
 
 std::unique_ptr<CableClosure> closureBlock(const CableDescription& cable, Model model, double length_scale,
-                                           const BendingOptions& options) {
+                                           const SolveLimits& options) {
   return makeClosure(model, cable.properties, cable.anchor, cable.attachment, length_scale, options);
 }
 

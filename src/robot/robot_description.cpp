@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace cdpr_kinetostatics {
+namespace {
+
+// Share of the span below which no attachment is told from the platform's origin.
+constexpr double kLeastLever = 1e-6;
+
+}  // namespace
 
 double RobotDescription::span() const {
   double largest = 0.0;
@@ -15,6 +21,8 @@ double RobotDescription::span() const {
   for (const CableDescription& cable : cables) largest = std::max(largest, (home.position - cable.anchor).norm());
   return largest;
 }
+
+double RobotDescription::lever() const { return std::max(platformRadius(), kLeastLever * span()); }
 
 double RobotDescription::platformRadius() const {
   double largest = 0.0;

@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "cable_keys.h"
-#include "yaml_map.h"
+#include "robot/cable_keys.h"
+#include "robot/yaml_map.h"
 
 namespace cdpr_kinetostatics {
 namespace {

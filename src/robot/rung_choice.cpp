@@ -1,9 +1,9 @@
-#include "cdpr_kinetostatics/robot/rung_choice.h"
+#include "robot/rung_choice.h"
 
 #include <algorithm>
 
-#include "cdpr_kinetostatics/robot/platform_statics.h"
-#include "linear_robot.h"
+#include "robot/linear_robot.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -97,15 +97,15 @@ bool RungChoice::estimate(const RobotDescription& robot, const RobotForces& stat
     const CableProperties& properties = robot.cables[i].properties;
     const double h = state.forces[i].horizontal;
     const double v = state.forces[i].vertical;
-    const CableLine line = cableLine(robot.cables[i], state.pose);
+    const CablePlane plane = cablePlane(robot.cables[i], state.pose);
     errors_[i] = rungErrors(properties, state.lengths[i], h, v);
-    linear.add(line, errors_[i].front().stiffness, h,
-               forceOnPlatform(line, h, v, properties.weight * state.lengths[i]));
+    linear.add(plane, errors_[i].front().stiffness, h,
+               forceOnPlatform(plane, h, v, properties.weight * state.lengths[i]));
   }
   if (!linear.factorise()) return false;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Matrix<double, 6, 2> moved =
-        linear.displacement(wrenchByForces(cableLine(robot.cables[i], state.pose)));
+        linear.displacement(wrenchByForces(cablePlane(robot.cables[i], state.pose)));
     for (std::size_t r = 0; r < errors_[i].size(); ++r) {
       effects_[i].displacement[r] = moved * errors_[i][r].force;
       effects_[i].known[r] = errors_[i][r].known;

@@ -1,13 +1,13 @@
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
+#include "robot/solution_assembly.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "cable/catenary.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/robot/modelling_effect.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "robot/platform_error.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -23,7 +23,7 @@ Status invalid(const std::string& message) { return {Code::kInvalidInput, messag
 
 Condition conditionOf(const CableSolution& cable, double tension_min) {
   if (ForcesAtA{cable.horizontal_force, cable.vertical_force_a}.push()) return Condition::kCompressed;
-  const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.w) ||
+  const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.y) ||
                      cable.tension_a < tension_min * (1.0 - kLimitTolerance);
   return slack ? Condition::kSlack : Condition::kTaut;
 }
@@ -73,8 +73,8 @@ std::vector<CableSolution> describeCables(const RobotDescription& robot, const P
                                           const std::vector<SaggingCable>& cables, int profile_points) {
   std::vector<CableSolution> solutions;
   for (std::size_t i = 0; i < cables.size(); ++i) {
-    const CableLine line = cableLine(robot.cables[i], pose);
-    solutions.push_back(cables[i].describe(line.x, line.w, profile_points));
+    const CablePlane plane = cablePlane(robot.cables[i], pose);
+    solutions.push_back(cables[i].describe(plane.x, plane.y, profile_points));
   }
   return solutions;
 }
@@ -88,22 +88,22 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
   solution->cables.resize(cables.size());
   for (std::size_t i = 0; i < cables.size(); ++i) {
     const CableDescription& description = robot.cables[i];
-    const CableLine line = cableLine(description, solution->pose);
+    const CablePlane plane = cablePlane(description, solution->pose);
     CableResult& result = solution->cables[i];
     result.cable = cables[i];
     result.name = description.name;
     result.condition = conditionOf(cables[i], description.tension_min);
-    result.direction = line.direction;
-    result.force_on_platform = forceOnPlatform(line, cables[i].horizontal_force, cables[i].vertical_force_a,
+    result.direction = plane.direction;
+    result.force_on_platform = forceOnPlatform(plane, cables[i].horizontal_force, cables[i].vertical_force_a,
                                                description.properties.weight * cables[i].length);
-    total += wrenchAt(line.arm, result.force_on_platform);
+    total += wrenchAt(plane.arm, result.force_on_platform);
     report.closure_residual = std::max(report.closure_residual, cables[i].closure_residual);
     report.integrator_steps += cables[i].integrator_steps;
     report.evaluations += cables[i].evaluations;
     report.model = std::max(report.model, cables[i].model);
     result.profile.clear();
     for (const ProfilePoint& point : cables[i].profile) {
-      result.profile.push_back(description.anchor + point.x * line.direction + point.w * Eigen::Vector3d::UnitZ());
+      result.profile.push_back(description.anchor + point.x * plane.direction + point.y * Eigen::Vector3d::UnitZ());
     }
   }
   const PlatformError error = platformError(robot, solution->pose, cables);

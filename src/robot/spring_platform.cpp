@@ -1,10 +1,10 @@
-#include "cdpr_kinetostatics/robot/spring_platform.h"
+#include "robot/spring_platform.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -43,7 +43,7 @@ SpringPlatform::Local SpringPlatform::at(const Pose& pose, const std::vector<Spr
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const CableDescription& cable = robot_.cables[i];
     const Eigen::Vector3d arm = pose.orientation * cable.attachment;
-    const Eigen::Vector3d along = pose.position + arm - cable.anchor;
+    const Eigen::Vector3d along = anchorToAttachment(cable, pose);
     const double chord = std::max(along.norm(), 1e-12 * springs[i].length);
     const Eigen::Vector3d unit = along / chord;
     const double tension = springs[i].tension(chord);
@@ -56,13 +56,8 @@ SpringPlatform::Local SpringPlatform::at(const Pose& pose, const std::vector<Spr
       force.z() -= half_weight;
       local.energy += half_weight * along.z();
     }
-    Eigen::Matrix<double, 3, 6> motion;
-    motion << Eigen::Matrix3d::Identity(), -cross(arm);
-    const Eigen::Matrix<double, 3, 6> force_by_pose = by_b * motion;
     local.wrench += wrenchAt(arm, force);
-    local.stiffness.topRows<3>() += force_by_pose;
-    local.stiffness.bottomRows<3>() += cross(arm) * force_by_pose;
-    local.stiffness.bottomRightCorner<3, 3>() += cross(force) * cross(arm);
+    local.stiffness += wrenchByMotion(arm, force, by_b * motionOfPoint(arm));
   }
   return local;
 }
@@ -86,7 +81,7 @@ Status SpringPlatform::descend(const std::vector<Spring>& springs, double tolera
 Status SpringPlatform::newton(const std::vector<Spring>& springs, double tolerance, Clock::time_point deadline,
                               Pose* pose, int* iterations) const {
   const int n = robot_.freedoms();
-  const double radius = n == 6 ? std::max(robot_.platformRadius(), 1e-6 * robot_.span()) : 1.0;
+  const double radius = n == 6 ? robot_.lever() : 1.0;
   Wrench scale;
   scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
   const Eigen::Vector3d torque = external_ != nullptr ? Eigen::Vector3d(external_->tail<3>()) : Eigen::Vector3d::Zero();

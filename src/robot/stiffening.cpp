@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/robot/stiffening.h"
+#include "robot/stiffening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ bool startCables(const RobotDescription& robot, const std::vector<double>& lengt
   std::vector<SaggingCable> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     SaggingCable cable(robot.cables[i].properties, rungs[i], options.tolerance);
-    const CableLine line = cableLine(robot.cables[i], state->pose);
-    if (!cable.startBetween(lengths[i], line.x, line.w, {options.tolerance, options.deadline}).ok()) {
+    const CablePlane plane = cablePlane(robot.cables[i], state->pose);
+    if (!cable.startBetween(lengths[i], plane.x, plane.y, {options.tolerance, options.deadline}).ok()) {
       if (state->cables.empty()) return false;
       const SaggingCable& last = state->cables[i];
       cable.start(lengths[i], {last.horizontalForce(), last.verticalForceA()});

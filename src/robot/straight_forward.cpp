@@ -1,13 +1,13 @@
-#include "cdpr_kinetostatics/robot/straight_forward.h"
+#include "robot/straight_forward.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/cable_evaluation.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
-#include "cdpr_kinetostatics/robot/solution_assembly.h"
-#include "cdpr_kinetostatics/robot/spring_platform.h"
+#include "cable/cable_evaluation.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
+#include "robot/platform_statics.h"
+#include "robot/solution_assembly.h"
+#include "robot/spring_platform.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -15,10 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMaxMultiplierUpdates = 60;
-
-double chordAt(const RobotDescription& robot, std::size_t i, const Pose& pose) {
-  return (pose.transform(robot.cables[i].attachment) - robot.cables[i].anchor).norm();
-}
 
 // Least-squares pose, then the tensions that balance best.
 Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
@@ -29,14 +25,14 @@ Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& 
   const Status status = SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose, iterations);
   if (!status.ok()) return status;
   const int n = robot.freedoms();
-  const double radius = n == 6 ? robot.platformRadius() : 1.0;
+  const double radius = n == 6 ? robot.lever() : 1.0;
   Wrench rows;
   rows << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
   Wrench needed = -loadWrench(robot, *pose, request.external_wrench);
   Eigen::MatrixXd structure(6, robot.cables.size());
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const Eigen::Vector3d arm = pose->orientation * robot.cables[i].attachment;
-    const Eigen::Vector3d along = pose->position + arm - robot.cables[i].anchor;
+    const Eigen::Vector3d along = anchorToAttachment(robot.cables[i], *pose);
     structure.col(static_cast<Eigen::Index>(i)) = wrenchAt(arm, -along.normalized());
     const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
     needed += wrenchAt(arm, half_weight * Eigen::Vector3d::UnitZ());
@@ -57,7 +53,7 @@ Status solveInextensible(const RobotDescription& robot, const ForwardRequest& re
     double excess = 0.0;
     for (std::size_t k = 0; k < springs->size(); ++k) {
       Spring& spring = (*springs)[k];
-      const double chord = chordAt(robot, k, *pose);
+      const double chord = anchorToAttachment(robot.cables[k], *pose).norm();
       const double tension = spring.tension(chord);
       if (tension > 0.0) excess = std::max(excess, std::abs(chord / spring.length - 1.0));
       spring.shift = tension;
@@ -92,13 +88,13 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
 
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CableLine line = cableLine(robot.cables[i], solution.pose);
-    const double chord = std::hypot(line.x, line.w);
+    const CablePlane plane = cablePlane(robot.cables[i], solution.pose);
+    const double chord = std::hypot(plane.x, plane.y);
     const double tension = tensions.empty() ? springs[i].tension(chord) : tensions[i];
     const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
     CableSolution cable =
-        describeClosedForm(robot.cables[i].properties, options.model, request.lengths[i], tension * line.x / chord,
-                           half_weight - tension * line.w / chord, line.x, line.w, options.profile_points);
+        describeClosedForm(robot.cables[i].properties, options.model, request.lengths[i], tension * plane.x / chord,
+                           half_weight - tension * plane.y / chord, plane.x, plane.y, options.profile_points);
     if (!tensions.empty()) cable.closure_residual = std::abs(chord - request.lengths[i]);
     cables.push_back(cable);
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/robot/bounded_qp.h"
+#include "robot/nearest_in_polytope.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -1,4 +1,4 @@
-#include "yaml_map.h"
+#include "robot/yaml_map.h"
 
 #include <algorithm>
 #include <cmath>

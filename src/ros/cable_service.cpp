@@ -1,14 +1,14 @@
-#include "cdpr_kinetostatics/ros/cable_service.h"
+#include "ros/cable_service.h"
 
 #include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/request_checks.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/conversions.h"
+#include "ros/request_checks.h"
+#include "ros/service_reply.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
@@ -82,7 +82,7 @@ SolveCable::Response solve(const NodeParameters& parameters, const SolveCable::R
   options.accuracy = checked.accuracy;
   options.tolerance = checked.tolerance;
   options.profile_points = checked.profile_points;
-  options.deadline = start + std::chrono::duration_cast<Clock::duration>(checked.timeout);
+  options.timeout = checked.timeout;
   const Cable cable = requestedCable(request, options.model, parameters.robot);
 
   const CableSolution solution = solveProblem(request, cable.properties, options);
@@ -97,7 +97,7 @@ SolveCable::Response solve(const NodeParameters& parameters, const SolveCable::R
   response.report.moment_residual = solution.moment_residual;
   response.cable = toMsg(solution, cable.name, cable.properties.weight, conditionOf(solution, cable.tension_min));
   response.x = solution.x;
-  response.y = solution.w;
+  response.y = solution.y;
   requireFinite(response.report, response.cable, response.x, response.y);
   return response;
 }

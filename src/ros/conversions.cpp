@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/ros/conversions.h"
+#include "ros/conversions.h"
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
@@ -154,7 +154,7 @@ CableState toMsg(const CableSolution& solution, const std::string& name, double 
   state.force_on_platform =
       toVector3({-solution.horizontal_force, 0.0, solution.vertical_force_a - weight * solution.length});
   state.profile.reserve(solution.profile.size());
-  for (const ProfilePoint& point : solution.profile) state.profile.push_back(toPoint({point.x, 0.0, point.w}));
+  for (const ProfilePoint& point : solution.profile) state.profile.push_back(toPoint({point.x, 0.0, point.y}));
   return state;
 }
 

@@ -1,6 +1,6 @@
-#include "cdpr_kinetostatics/ros/diagnostics.h"
+#include "ros/diagnostics.h"
 
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

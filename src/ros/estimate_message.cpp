@@ -1,9 +1,9 @@
-#include "cdpr_kinetostatics/ros/estimate_message.h"
+#include "ros/estimate_message.h"
 
 #include <algorithm>
 
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/conversions.h"
+#include "ros/service_reply.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,7 +1,7 @@
-#include "cdpr_kinetostatics/ros/estimate_output.h"
+#include "ros/estimate_output.h"
 
-#include "cdpr_kinetostatics/ros/estimate_message.h"
-#include "cdpr_kinetostatics/ros/markers.h"
+#include "ros/estimate_message.h"
+#include "ros/markers.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,9 +1,9 @@
-#include "cdpr_kinetostatics/ros/estimator_loop.h"
+#include "ros/estimator_loop.h"
 
 #include <ros/console.h>
 
-#include "cdpr_kinetostatics/ros/estimate_message.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/estimate_message.h"
+#include "ros/service_reply.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,8 +1,8 @@
-#include "cdpr_kinetostatics/ros/estimator_services.h"
+#include "ros/estimator_services.h"
 
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/request_checks.h"
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/conversions.h"
+#include "ros/request_checks.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

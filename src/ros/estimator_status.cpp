@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/ros/estimator_status.h"
+#include "ros/estimator_status.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "cdpr_kinetostatics/ros/forward_service.h"
+#include "ros/forward_service.h"
 
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/request_checks.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/conversions.h"
+#include "ros/request_checks.h"
+#include "ros/service_reply.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,13 +1,13 @@
-#include "cdpr_kinetostatics/ros/kinetostatics_node.h"
+#include "ros/kinetostatics_node.h"
 
 #include <ros/console.h>
 #include <ros/param.h>
 
-#include "cdpr_kinetostatics/ros/cable_service.h"
-#include "cdpr_kinetostatics/ros/estimator_services.h"
-#include "cdpr_kinetostatics/ros/forward_service.h"
-#include "cdpr_kinetostatics/ros/inverse_service.h"
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/cable_service.h"
+#include "ros/estimator_services.h"
+#include "ros/forward_service.h"
+#include "ros/inverse_service.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

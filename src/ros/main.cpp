@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "cdpr_kinetostatics/ros/kinetostatics_node.h"
+#include "ros/kinetostatics_node.h"
 
 int main(int argc, char** argv) {
   constexpr int kServiceThreads = 4;

@@ -1,10 +1,10 @@
-#include "cdpr_kinetostatics/ros/markers.h"
+#include "ros/markers.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/conversions.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

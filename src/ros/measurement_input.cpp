@@ -1,11 +1,11 @@
-#include "cdpr_kinetostatics/ros/measurement_input.h"
+#include "ros/measurement_input.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/ros/request_checks.h"
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/request_checks.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/ros/measurement_queue.h"
+#include "ros/measurement_queue.h"
 
 namespace cdpr_kinetostatics {
 

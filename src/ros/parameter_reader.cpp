@@ -1,11 +1,11 @@
-#include "cdpr_kinetostatics/ros/parameter_reader.h"
+#include "ros/parameter_reader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,12 +1,12 @@
-#include "cdpr_kinetostatics/ros/parameters.h"
+#include "ros/parameters.h"
 
 #include <stdexcept>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/parameter_reader.h"
-#include "cdpr_kinetostatics/ros/request_checks.h"
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/conversions.h"
+#include "ros/parameter_reader.h"
+#include "ros/request_checks.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

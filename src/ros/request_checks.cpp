@@ -1,10 +1,10 @@
-#include "cdpr_kinetostatics/ros/request_checks.h"
+#include "ros/request_checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "cdpr_kinetostatics/ros/text.h"
+#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

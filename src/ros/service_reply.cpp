@@ -1,9 +1,9 @@
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/service_reply.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cdpr_kinetostatics/ros/conversions.h"
+#include "ros/conversions.h"
 
 namespace cdpr_kinetostatics {
 

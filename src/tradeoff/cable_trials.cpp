@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "trial.h"
+#include "tradeoff/trial.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -21,9 +21,9 @@ class CableTrial : public Trial {
     if (problem_ == Problem::kCablePosition) {
       solution_ = findPosition(cable_, r.length, r.horizontal_force, r.vertical_force_a, options_);
     } else if (problem_ == Problem::kCableForces) {
-      solution_ = findForces(cable_, r.length, r.x, r.w, options_);
+      solution_ = findForces(cable_, r.length, r.x, r.y, options_);
     } else {
-      solution_ = findLength(cable_, r.x, r.w, r.tension_a, r.length, options_);
+      solution_ = findLength(cable_, r.x, r.y, r.tension_a, r.length, options_);
     }
   }
 
@@ -37,7 +37,7 @@ class CableTrial : public Trial {
     if (!outcome.status.ok()) return outcome;
     outcome.estimated_error = solution_.estimated_error;
     if (problem_ == Problem::kCablePosition) {
-      outcome.errors.position = std::hypot(solution_.x - reference_.x, solution_.w - reference_.w);
+      outcome.errors.position = std::hypot(solution_.x - reference_.x, solution_.y - reference_.y);
     } else if (problem_ == Problem::kCableForces) {
       outcome.errors.tension = std::abs(solution_.tension_a - reference_.tension_a);
     } else {

@@ -2,7 +2,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "report.h"
+#include "tradeoff/report.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "recommendation.h"
-#include "report.h"
+#include "tradeoff/recommendation.h"
+#include "tradeoff/report.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "command_line.h"
-#include "measurement.h"
-#include "provenance.h"
-#include "recommendation.h"
-#include "report.h"
-#include "shipped_robots.h"
+#include "tradeoff/command_line.h"
+#include "tradeoff/measurement.h"
+#include "tradeoff/provenance.h"
+#include "tradeoff/recommendation.h"
+#include "tradeoff/report.h"
+#include "tradeoff/shipped_robots.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -1,9 +1,9 @@
-#include "measurement.h"
+#include "tradeoff/measurement.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "support/timing.h"
+#include "timing/timing.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "trial.h"
+#include "tradeoff/trial.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,4 @@
-#include "provenance.h"
+#include "tradeoff/provenance.h"
 
 #include <fstream>
 #include <thread>

@@ -1,10 +1,10 @@
-#include "recommendation.h"
+#include "tradeoff/recommendation.h"
 
 #include <algorithm>
 #include <iterator>
 #include <sstream>
 
-#include "units.h"
+#include "tradeoff/units.h"
 
 namespace cdpr_kinetostatics {
 namespace {

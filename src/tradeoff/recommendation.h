@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measurement.h"
+#include "tradeoff/measurement.h"
 
 namespace cdpr_kinetostatics {
 

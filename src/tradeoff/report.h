@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <vector>
 
-#include "measurement.h"
-#include "provenance.h"
+#include "tradeoff/measurement.h"
+#include "tradeoff/provenance.h"
 
 namespace cdpr_kinetostatics {
 

@@ -4,7 +4,7 @@
 
 #include "cdpr_kinetostatics/estimation/pose_estimator.h"
 #include "cdpr_kinetostatics/robot/forward.h"
-#include "trial.h"
+#include "tradeoff/trial.h"
 
 namespace cdpr_kinetostatics {
 namespace {

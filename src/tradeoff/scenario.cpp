@@ -1,4 +1,4 @@
-#include "scenario.h"
+#include "tradeoff/scenario.h"
 
 #include <algorithm>
 #include <cmath>

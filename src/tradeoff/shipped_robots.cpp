@@ -1,4 +1,4 @@
-#include "shipped_robots.h"
+#include "tradeoff/shipped_robots.h"
 
 #include <algorithm>
 #include <filesystem>

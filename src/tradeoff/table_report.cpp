@@ -3,8 +3,8 @@
 #include <sstream>
 #include <string>
 
-#include "report.h"
-#include "units.h"
+#include "tradeoff/report.h"
+#include "tradeoff/units.h"
 
 namespace cdpr_kinetostatics {
 namespace {

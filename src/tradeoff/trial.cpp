@@ -1,4 +1,4 @@
-#include "trial.h"
+#include "tradeoff/trial.h"
 
 namespace cdpr_kinetostatics {
 

@@ -8,7 +8,7 @@
 
 #include "cdpr_kinetostatics/cable/model.h"
 #include "cdpr_kinetostatics/cable/report.h"
-#include "scenario.h"
+#include "tradeoff/scenario.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,4 @@
-#include "units.h"
+#include "tradeoff/units.h"
 
 #include <cstdio>
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <ostream>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/sagging_cable.h"
+#include "cable/catenary.h"
+#include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/residuals/cable_closure.h"
 #include "counted_allocations.h"
 #include "known_cables.h"
@@ -15,11 +15,11 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// A cable of length 8.2 m (or as given) whose end moves around (x, w).
+// A cable of length 8.2 m (or as given) whose end moves around (x, y).
 struct MovingCable {
   const char* name;
   CableProperties properties;
-  double length, x, w;
+  double length, x, y;
 };
 
 void PrintTo(const MovingCable& cable, std::ostream* out) { *out << cable.name; }
@@ -37,7 +37,7 @@ constexpr int kEnds = 24;
 double turnAt(int i, int round) { return 2.0 * kPi * (i + 0.5 * round) / kEnds; }
 
 Eigen::Vector2d endAt(const MovingCable& cable, double turn) {
-  return Eigen::Vector2d(cable.x, cable.w) + 0.01 * cable.length * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+  return Eigen::Vector2d(cable.x, cable.y) + 0.01 * cable.length * Eigen::Vector2d(std::cos(turn), std::sin(turn));
 }
 
 class Allocation : public ::testing::TestWithParam<MovingCable> {};
@@ -57,10 +57,10 @@ TEST(CountedAllocations, AreSeen) {
 TEST_P(Allocation, LinearisingACableAgainTakesNothing) {
   const MovingCable& c = GetParam();
   for (const Model model : {Model::kStraightElastic, Model::kCatenary, Model::kBendingInextensible, Model::kBending}) {
-    if (model == Model::kStraightElastic && c.length > std::hypot(c.x, c.w)) continue;
+    if (model == Model::kStraightElastic && c.length > std::hypot(c.x, c.y)) continue;
     SCOPED_TRACE(modelName(model));
     SaggingCable cable(c.properties, model, 1e-8);
-    ASSERT_TRUE(cable.startBetween(c.length, c.x, c.w, {}).ok());
+    ASSERT_TRUE(cable.startBetween(c.length, c.x, c.y, {}).ok());
     long allocations = 0;
     for (int round = 0; round < 2; ++round) {
       allocations = heapCount().allocations;
@@ -85,7 +85,7 @@ TEST_P(Allocation, LinearisingACableAgainTakesNothing) {
 TEST_P(Allocation, EvaluatingAResidualBlockAgainTakesNothing) {
   const MovingCable& c = GetParam();
   SaggingCable known(c.properties, Model::kBending, 1e-8);
-  ASSERT_TRUE(known.startBetween(c.length, c.x, c.w, {}).ok());
+  ASSERT_TRUE(known.startBetween(c.length, c.x, c.y, {}).ok());
   for (const Model model : {Model::kCatenary, Model::kBending}) {
     SCOPED_TRACE(modelName(model));
     const auto closure =

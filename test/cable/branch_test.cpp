@@ -24,7 +24,7 @@ double areaBelow(const CableSolution& solution) {
   for (std::size_t i = 1; i < solution.profile.size(); ++i) {
     const ProfilePoint& a = solution.profile[i - 1];
     const ProfilePoint& b = solution.profile[i];
-    area += 0.5 * (a.x * b.w - b.x * a.w);
+    area += 0.5 * (a.x * b.y - b.x * a.y);
   }
   return area;
 }
@@ -55,11 +55,11 @@ TEST(Branch, ABarLongerThanItsChordIsCompressedAndStillHangsBelow) {
 TEST(Branch, ABarSlightlyTooLongBowsInsteadOfStayingStraight) {
   const CableProperties bar{342848.44169105991, 0.63731062198160482, 4.3197476063184581};
   const double length = 0.38220647631458837;
-  for (const double w : {-0.22172926395243819, 0.22172926395243819}) {
+  for (const double y : {-0.22172926395243819, 0.22172926395243819}) {
     for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
-      const CableSolution s = findForces(bar, length, 0.3108221329482953, w, options(tolerance));
+      const CableSolution s = findForces(bar, length, 0.3108221329482953, y, options(tolerance));
       ASSERT_TRUE(s.status.ok()) << s.status.message;
-      EXPECT_NEAR(s.horizontal_force, -27.9105, 1e-3) << "w " << w << ", tolerance " << tolerance;
+      EXPECT_NEAR(s.horizontal_force, -27.9105, 1e-3) << "y " << y << ", tolerance " << tolerance;
       EXPECT_LT(s.tension_a, 1.1 * kPi * kPi * bar.bending_stiffness / (length * length));
     }
   }
@@ -70,12 +70,12 @@ TEST(Branch, AShortThickRodIsCompressedNotFolded) {
   const CableProperties rod{2415854.7434455073, 87.456070012484943, 2.9785137279378571};
   const double length = 0.33084822854483237;
   const double x = 0.1717377097001955;
-  for (const double w : {-0.28277460378965674, 0.28277460378965674}) {
-    const CableSolution s = findForces(rod, length, x, w, options(1e-8));
+  for (const double y : {-0.28277460378965674, 0.28277460378965674}) {
+    const CableSolution s = findForces(rod, length, x, y, options(1e-8));
     ASSERT_TRUE(s.status.ok()) << s.status.message;
-    const double compression = rod.axial_stiffness * (1.0 - std::hypot(x, w) / length);
-    EXPECT_NEAR(s.horizontal_force, -compression * x / length, 1.0) << "w " << w;
-    EXPECT_LT(s.tension_a, 1.1 * compression) << "w " << w;
+    const double compression = rod.axial_stiffness * (1.0 - std::hypot(x, y) / length);
+    EXPECT_NEAR(s.horizontal_force, -compression * x / length, 1.0) << "y " << y;
+    EXPECT_LT(s.tension_a, 1.1 * compression) << "y " << y;
   }
 }
 
@@ -113,40 +113,40 @@ TEST(Branch, ASlackRopePushesAsItsEndsCloseUp) {
   }
 }
 
-// Hooke's law of a rod whose weight is carried in halves: |w| = L (1 + N/EA).
-void expectStraightVertical(const CableProperties& cable, double strain, double w) {
-  const double length = std::abs(w) / (1.0 + strain);
-  const CableSolution s = findForces(cable, length, 0.0, w, options(1e-10, 21));
-  ASSERT_TRUE(s.status.ok()) << "strain " << strain << ", w " << w << ": " << s.status.message;
-  const double v = 0.5 * cable.weight * length - std::copysign(1.0, w) * cable.axial_stiffness * strain;
-  EXPECT_NEAR(s.horizontal_force, 0.0, 1e-9 * s.tension_a) << "strain " << strain << ", w " << w;
-  EXPECT_NEAR(s.vertical_force_a, v, 1e-9 * s.tension_a) << "strain " << strain << ", w " << w;
-  EXPECT_NEAR(s.angle_a, std::copysign(kPi / 2, w), 1e-9);
+// Hooke's law of a rod whose weight is carried in halves: |y| = L (1 + N/EA).
+void expectStraightVertical(const CableProperties& cable, double strain, double y) {
+  const double length = std::abs(y) / (1.0 + strain);
+  const CableSolution s = findForces(cable, length, 0.0, y, options(1e-10, 21));
+  ASSERT_TRUE(s.status.ok()) << "strain " << strain << ", y " << y << ": " << s.status.message;
+  const double v = 0.5 * cable.weight * length - std::copysign(1.0, y) * cable.axial_stiffness * strain;
+  EXPECT_NEAR(s.horizontal_force, 0.0, 1e-9 * s.tension_a) << "strain " << strain << ", y " << y;
+  EXPECT_NEAR(s.vertical_force_a, v, 1e-9 * s.tension_a) << "strain " << strain << ", y " << y;
+  EXPECT_NEAR(s.angle_a, std::copysign(kPi / 2, y), 1e-9);
   EXPECT_NEAR(s.sag, 0.0, 1e-9 * length);
 }
 
 TEST(Branch, VerticalTautCablesAreStraight) {
-  for (const double w : {-5.0, 5.0}) {
-    expectStraightVertical(steelRope(), 5e-4, w);
-    expectStraightVertical(paperBar(), 5e-4, w);
+  for (const double y : {-5.0, 5.0}) {
+    expectStraightVertical(steelRope(), 5e-4, y);
+    expectStraightVertical(paperBar(), 5e-4, y);
   }
 }
 
 // Euler's load of this bar is 3294 N, its compression 1068 N.
 TEST(Branch, AVerticalStrutBelowItsBucklingLoadStaysStraight) {
-  for (const double w : {-2.0, 2.0}) expectStraightVertical(paperBar(), -2e-5, w);
+  for (const double y : {-2.0, 2.0}) expectStraightVertical(paperBar(), -2e-5, y);
 }
 
 TEST(Branch, TautCablesHaveAHorizontalComplianceThatReachesItsVerticalLimit) {
-  for (const double w : {-5.0, 5.0}) {
+  for (const double y : {-5.0, 5.0}) {
     const double length = 5.0 / 1.0005;
-    const CableSolution vertical = findForces(steelRope(), length, 0.0, w, options(1e-11));
+    const CableSolution vertical = findForces(steelRope(), length, 0.0, y, options(1e-11));
     ASSERT_TRUE(vertical.status.ok()) << vertical.status.message;
     for (const double x : {1e-1, 1e-2, 1e-3, 1e-5}) {
-      const CableSolution s = findForces(steelRope(), length, x, w, options(1e-11));
+      const CableSolution s = findForces(steelRope(), length, x, y, options(1e-11));
       ASSERT_TRUE(s.status.ok()) << "x " << x << ": " << s.status.message;
-      // The chord's growth adds x^2/(2 w^2) to a strain of 5e-4.
-      const double grown = 1.0 + x * x / (2.0 * w * w) / 5e-4;
+      // The chord's growth adds x^2/(2 y^2) to a strain of 5e-4.
+      const double grown = 1.0 + x * x / (2.0 * y * y) / 5e-4;
       EXPECT_NEAR(s.horizontal_force / x / vertical.force_jacobian(0, 0), grown, 1e-6 + 0.1 * x * x) << x;
     }
   }
@@ -154,16 +154,16 @@ TEST(Branch, TautCablesHaveAHorizontalComplianceThatReachesItsVerticalLimit) {
 
 TEST(Branch, SlackVerticalLoopsAreTheLimitOfNarrowOnes) {
   for (const CableProperties& cable : {paperBar(), steelRope()}) {
-    for (const double w : {-2.0, -0.5, 0.5, 2.0}) {
-      const CableSolution at = findForces(cable, 6.0, 0.0, w, options());
-      const CableSolution near = findForces(cable, 6.0, 1e-7, w, options());
-      ASSERT_TRUE(at.status.ok()) << "w " << w << ": " << at.status.message;
-      ASSERT_TRUE(near.status.ok()) << "w " << w << ": " << near.status.message;
+    for (const double y : {-2.0, -0.5, 0.5, 2.0}) {
+      const CableSolution at = findForces(cable, 6.0, 0.0, y, options());
+      const CableSolution near = findForces(cable, 6.0, 1e-7, y, options());
+      ASSERT_TRUE(at.status.ok()) << "y " << y << ": " << at.status.message;
+      ASSERT_TRUE(near.status.ok()) << "y " << y << ": " << near.status.message;
       EXPECT_LT(at.horizontal_force, 0.0);
-      EXPECT_NEAR(at.horizontal_force, near.horizontal_force, 1e-5 * at.tension_a) << "w " << w;
-      EXPECT_NEAR(at.vertical_force_a, near.vertical_force_a, 1e-5 * at.tension_a) << "w " << w;
+      EXPECT_NEAR(at.horizontal_force, near.horizontal_force, 1e-5 * at.tension_a) << "y " << y;
+      EXPECT_NEAR(at.vertical_force_a, near.vertical_force_a, 1e-5 * at.tension_a) << "y " << y;
       // Of the two mirror images, the one below the chords of small x > 0.
-      EXPECT_GT(areaBelow(findForces(cable, 6.0, 0.0, w, options(1e-9, 101))), 0.0) << "w " << w;
+      EXPECT_GT(areaBelow(findForces(cable, 6.0, 0.0, y, options(1e-9, 101))), 0.0) << "y " << y;
     }
   }
 }
@@ -180,7 +180,7 @@ TEST(Branch, Problem1ReturnsTheForcesAskedForInCompression) {
     EXPECT_NEAR(s.horizontal_force, held.horizontal_force, 1e-9 * held.tension_a) << "L/chord " << ratio;
     EXPECT_NEAR(s.vertical_force_a, held.vertical_force_a, 1e-9 * held.tension_a) << "L/chord " << ratio;
     EXPECT_NEAR(s.x, 5.0, 1e-6 * s.length) << "L/chord " << ratio;
-    EXPECT_NEAR(s.w, -2.5, 1e-6 * s.length) << "L/chord " << ratio;
+    EXPECT_NEAR(s.y, -2.5, 1e-6 * s.length) << "L/chord " << ratio;
   }
 }
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "cdpr_kinetostatics/cable/bending_effect.h"
+#include "cable/bending_expansion.h"
+#include "cable/rung_error.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/cable/model_error.h"
 #include "known_cables.h"
 #include "robot_cases.h"
 
@@ -43,7 +43,7 @@ Eigen::Vector2d trueEffect(const LoadedCable& c) {
   const CableSolution bending = findPosition(c.cable, c.length, c.h, c.v, options(Model::kBending, 1e-12));
   const EndPoint catenary = catenaryEnd(c.cable, c.h, c.v, c.length);
   EXPECT_TRUE(bending.status.ok()) << bending.status.message;
-  return Eigen::Vector2d(bending.x, bending.w) - catenary.position;
+  return Eigen::Vector2d(bending.x, bending.y) - catenary.position;
 }
 
 TEST(CatenaryCorrected, AgreesWithTheIntegralInClosedFormWithoutStretch) {
@@ -86,7 +86,7 @@ TEST(CatenaryCorrected, ItsThreeProblemsAgree) {
     const CableSolution position =
         findPosition(rope, 8.2, forces.horizontal_force, forces.vertical_force_a, options(Model::kCatenaryCorrected));
     EXPECT_NEAR(position.x, 7.0, 1e-11);
-    EXPECT_NEAR(position.w, -4.0, 1e-11);
+    EXPECT_NEAR(position.y, -4.0, 1e-11);
     const CableSolution length =
         findLength(rope, 7.0, -4.0, forces.tension_a, 8.2, options(Model::kCatenaryCorrected, 1e-10));
     ASSERT_TRUE(length.status.ok()) << length.status.message;
@@ -115,12 +115,12 @@ TEST(CatenaryCorrected, ItsProfileMeetsBothEndsAndBendsAsTheBendingCableDoes) {
   const CableSolution bending = findForces(steelRope(), 8.1, 7.0, -4.0, asked);
   ASSERT_TRUE(corrected.status.ok() && bending.status.ok());
   EXPECT_NEAR(corrected.profile.back().x, 7.0, 1e-10);
-  EXPECT_NEAR(corrected.profile.back().w, -4.0, 1e-10);
+  EXPECT_NEAR(corrected.profile.back().y, -4.0, 1e-10);
   EXPECT_NEAR(corrected.max_moment, bending.max_moment, 0.1 * bending.max_moment);
   EXPECT_NEAR(corrected.max_shear, bending.max_shear, 0.1 * bending.max_shear);
   for (std::size_t i = 0; i < corrected.profile.size(); ++i) {
     const Eigen::Vector2d apart(corrected.profile[i].x - bending.profile[i].x,
-                                corrected.profile[i].w - bending.profile[i].w);
+                                corrected.profile[i].y - bending.profile[i].y);
     EXPECT_LT(apart.norm(), 2e-3) << i;
     EXPECT_NEAR(corrected.profile[i].moment, bending.profile[i].moment, 0.15 * bending.max_moment) << i;
   }
@@ -140,7 +140,7 @@ TEST(EstimatedError, IsThatOfTheRung) {
   int trusted = 0;
   for (int k = 0; k < 600; ++k) {
     const LoadedCable c = randomLoaded(&dice, 1.0);
-    const BendingEffect effect = bendingEffect(c.cable, c.h, c.v, c.length);
+    const BendingExpansion effect = bendingExpansion(c.cable, c.h, c.v, c.length);
     if (!effect.trusted) continue;
     const Eigen::Vector2d truth = trueEffect(c);
     const Eigen::Vector2d first = firstOrderBending(c.cable, c.h, c.v, c.length).position;
@@ -164,7 +164,7 @@ TEST(EstimatedError, IsReportedByEveryRung) {
     ASSERT_TRUE(s.status.ok()) << modelName(model) << s.status.message;
     const CableSolution truth =
         findPosition(rope, s.length, s.horizontal_force, s.vertical_force_a, options(Model::kBending, 1e-11));
-    const double error = std::hypot(truth.x - s.x, truth.w - s.w);
+    const double error = std::hypot(truth.x - s.x, truth.y - s.y);
     EXPECT_NEAR(s.estimated_error, error, 0.1 * error + 1e-9) << modelName(model);
   }
 }

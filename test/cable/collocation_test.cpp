@@ -18,7 +18,7 @@ class CollocatedGolden : public ::testing::TestWithParam<GoldenCable> {};
 TEST_P(CollocatedGolden, HasTheForcesOfTheReference) {
   const GoldenCable& g = GetParam();
   // Started one percent away, from the direction of the force alone.
-  const VerifiedCable found = verify({g.cable, g.length, g.x, g.w, 1.01 * g.h, 0.99 * g.v, {}}, Kept::kEndPoint);
+  const VerifiedCable found = verify({g.cable, g.length, g.x, g.y, 1.01 * g.h, 0.99 * g.v, {}}, Kept::kEndPoint);
   ASSERT_TRUE(found.converged);
   EXPECT_NEAR(found.h, g.h, 1e-8 * g.tension_a + found.force_error);
   EXPECT_NEAR(found.v, g.v, 1e-8 * g.tension_a + found.force_error);
@@ -30,10 +30,10 @@ TEST_P(CollocatedGolden, HasTheForcesOfTheReference) {
 
 TEST_P(CollocatedGolden, EndsWhereTheReferenceEnds) {
   const GoldenCable& g = GetParam();
-  const VerifiedCable found = verify({g.cable, g.length, g.x, g.w, g.h, g.v, {}}, Kept::kForces);
+  const VerifiedCable found = verify({g.cable, g.length, g.x, g.y, g.h, g.v, {}}, Kept::kForces);
   ASSERT_TRUE(found.converged);
   EXPECT_NEAR(found.x, g.x, 1e-8 * g.length);
-  EXPECT_NEAR(found.w, g.w, 1e-8 * g.length);
+  EXPECT_NEAR(found.y, g.y, 1e-8 * g.length);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCables, CollocatedGolden, ::testing::ValuesIn(goldenCables(TEST_DATA_DIR)));
@@ -69,12 +69,12 @@ TEST(Collocation, WeightlessTautCableIsALine) {
     const double tension = steelRope().axial_stiffness * 5e-4;
     CableProperties cable = steelRope();
     cable.weight = 0.0;
-    const double w = std::sqrt(25.0 - x * x);
+    const double y = std::sqrt(25.0 - x * x);
     const VerifiedCable found =
-        verify({cable, length, x, w, 0.9 * tension * x / 5.0, -0.9 * tension * w / 5.0, {}}, Kept::kEndPoint);
+        verify({cable, length, x, y, 0.9 * tension * x / 5.0, -0.9 * tension * y / 5.0, {}}, Kept::kEndPoint);
     ASSERT_TRUE(found.converged);
     EXPECT_NEAR(found.h, tension * x / 5.0, 1e-9 * tension);
-    EXPECT_NEAR(found.v, -tension * w / 5.0, 1e-9 * tension);
+    EXPECT_NEAR(found.v, -tension * y / 5.0, 1e-9 * tension);
     EXPECT_TRUE(found.sags());
   }
 }

@@ -23,7 +23,7 @@ CableSolverOptions options(Model model, double tolerance = 1e-9, int profile_poi
 using Wide = long double;
 
 struct Point {
-  Wide x, w;
+  Wide x, y;
 };
 
 // The paper's equation (6) in extended precision; its logarithm of (T + V) is H times a difference of asinh.
@@ -49,16 +49,16 @@ TEST_P(Forces, CatenaryIsEquation6) {
   for (const ProfilePoint& point : s.profile) {
     const Point exact = equation6(rope, h, v, point.s);
     EXPECT_NEAR(point.x, static_cast<double>(exact.x), 1e-12 * length);
-    EXPECT_NEAR(point.w, static_cast<double>(exact.w), 1e-12 * length);
+    EXPECT_NEAR(point.y, static_cast<double>(exact.y), 1e-12 * length);
   }
   EXPECT_NEAR(s.x, s.profile.back().x, 1e-15 * length);
 
   // And back: its forces from its end.
-  const CableSolution back = findForces(rope, length, s.x, s.w, options(Model::kCatenary));
+  const CableSolution back = findForces(rope, length, s.x, s.y, options(Model::kCatenary));
   ASSERT_TRUE(back.status.ok()) << back.status.message;
   const Point closed = equation6(rope, back.horizontal_force, back.vertical_force_a, length);
   EXPECT_NEAR(static_cast<double>(closed.x), s.x, 1e-12 * length);
-  EXPECT_NEAR(static_cast<double>(closed.w), s.w, 1e-12 * length);
+  EXPECT_NEAR(static_cast<double>(closed.y), s.y, 1e-12 * length);
 }
 
 INSTANTIATE_TEST_SUITE_P(FromLoopToString, Forces,
@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(FromLoopToString, Forces,
                                            std::pair(300.0, 0.5), std::pair(3000.0, 1000.0)));
 
 struct Published {
-  double x, w, length, ea, q, h, digits;
+  double x, y, length, ea, q, h, digits;
 };
 
 TEST(PublishedCatenaries, OfMoorPy) {
@@ -77,12 +77,12 @@ TEST(PublishedCatenaries, OfMoorPy) {
         Published{89.9, 59.2, 130, 7.51e8, 881.05, 31373.234876, 1e-11},
         Published{246.22420940032947, 263.55766330843164, 360.63566262396927, 7e8, 3.08735, 58377.241423, 1e-9}}) {
     const CableProperties cable{p.ea, 0.0, p.q};
-    for (const double w : {p.w, -p.w}) {
-      const CableSolution s = findForces(cable, p.length, p.x, w, options(Model::kCatenary));
+    for (const double y : {p.y, -p.y}) {
+      const CableSolution s = findForces(cable, p.length, p.x, y, options(Model::kCatenary));
       ASSERT_TRUE(s.status.ok()) << s.status.message;
       EXPECT_NEAR(s.horizontal_force, p.h, 1e-6);
       EXPECT_NEAR(s.x, p.x, 1e-12 * p.length);
-      EXPECT_NEAR(s.w, w, 1e-12 * p.length);
+      EXPECT_NEAR(s.y, y, 1e-12 * p.length);
     }
   }
 }
@@ -97,7 +97,7 @@ TEST(Straight, ElasticIsHookesLaw) {
   EXPECT_NEAR(s.vertical_force_a, tension * 4.004 / chord + 0.5 * rope.weight * 5.0, 1e-9 * tension);
 }
 
-// w = -[q x(l - x)/(2 T) + q/(T k^2) (cosh(k(l/2 - x))/cosh(k l/2) - 1)], k = sqrt(T/EI).
+// y = -[q x(l - x)/(2 T) + q/(T k^2) (cosh(k(l/2 - x))/cosh(k l/2) - 1)], k = sqrt(T/EI).
 class TieBeam : public ::testing::TestWithParam<double> {};  // kappa L
 
 TEST_P(TieBeam, WithSmallSlopes) {
@@ -111,11 +111,11 @@ TEST_P(TieBeam, WithSmallSlopes) {
   ASSERT_TRUE(s.status.ok()) << s.status.message;
   const double q = cable.weight;
   const double sag = q * length * length / (8.0 * tension);
-  EXPECT_NEAR(s.w, 0.0, 1e-9 * sag);
+  EXPECT_NEAR(s.y, 0.0, 1e-9 * sag);
   for (const ProfilePoint& point : s.profile) {
     const double layer = (std::exp(-k * point.x) + std::exp(-k * (length - point.x))) / (1.0 + std::exp(-k * length));
-    const double w = -(q * point.x * (length - point.x) / (2.0 * tension) + q / (tension * k * k) * (layer - 1.0));
-    EXPECT_NEAR(point.w, w, 1e-8 * sag) << "x " << point.x;
+    const double y = -(q * point.x * (length - point.x) / (2.0 * tension) + q / (tension * k * k) * (layer - 1.0));
+    EXPECT_NEAR(point.y, y, 1e-8 * sag) << "x " << point.x;
     EXPECT_NEAR(point.moment, q / (k * k) * (1.0 - layer), 1e-8 * q * length / k) << "x " << point.x;
   }
   const double layer_middle = 1.0 / std::cosh(0.5 * k * length);

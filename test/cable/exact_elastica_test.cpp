@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <limits>
 
+#include "cable/shot.h"
 #include "cantilever.h"
-#include "cdpr_kinetostatics/cable/shot.h"
 #include "known_cables.h"
 
 namespace cdpr_kinetostatics {
@@ -31,7 +31,7 @@ TEST(Elastica, CantileverOfBisshoppAndDrucker) {
     ASSERT_TRUE(tip.solved) << phi;
     EXPECT_NEAR(tip.alpha, -phi, 1e-11);
     EXPECT_NEAR(tip.x / length, reach, 1e-11);
-    EXPECT_NEAR(tip.w / length, -drop, 1e-11);
+    EXPECT_NEAR(tip.y / length, -drop, 1e-11);
     EXPECT_NEAR(tip.clamp_moment, beam.tip_w * tip.x, 1e-10 * stiffness);  // statics, whatever the shape
   }
 }
@@ -41,7 +41,7 @@ TEST(Elastica, HeavyCantilever) {
   ASSERT_TRUE(tip.solved);
   EXPECT_NEAR(tip.alpha, -1.0526431172, 1e-10);
   EXPECT_NEAR(tip.x, 0.656353761239, 1e-11);
-  EXPECT_NEAR(tip.w, -0.700199715514, 1e-11);
+  EXPECT_NEAR(tip.y, -0.700199715514, 1e-11);
 }
 
 TEST(Elastica, CurvatureIsPerStrainedLength) {
@@ -49,7 +49,7 @@ TEST(Elastica, CurvatureIsPerStrainedLength) {
   const CantileverTip tip = solveCantilever({{2.07e9, 1.725e6, 0.0}, 2.0, 0.0, -1.29375e6}, kFine);
   ASSERT_TRUE(tip.solved);
   EXPECT_NEAR(tip.x - 2.0, -0.508657761956, 2e-11);
-  EXPECT_NEAR(tip.w, -1.207340159514, 2e-11);
+  EXPECT_NEAR(tip.y, -1.207340159514, 2e-11);
 }
 
 TEST(Elastica, AnEndMomentBendsAStraightBeamIntoACircle) {
@@ -64,7 +64,7 @@ TEST(Elastica, AnEndMomentBendsAStraightBeamIntoACircle) {
     // fixed grid.
     ASSERT_TRUE(shootOnGrid({}, 0.0, {0.0, angle, 0.0, 0.0}, StepGrid(1000, 1e-3), 1.0, &shot));
     EXPECT_NEAR(shot.end.x, std::sin(angle) / angle, 1e-12);
-    EXPECT_NEAR(shot.end.w, (1.0 - std::cos(angle)) / angle, 1e-12);
+    EXPECT_NEAR(shot.end.y, (1.0 - std::cos(angle)) / angle, 1e-12);
   }
 }
 

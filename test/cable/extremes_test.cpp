@@ -5,8 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "cable/bending.h"
 #include "cable_verdict.h"
-#include "cdpr_kinetostatics/cable/bending.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "collocation.h"
 #include "known_cables.h"
@@ -76,8 +76,8 @@ TEST(Extremes, SingleShootingIsWrongOrFailsOnMostOfTheMap) {
   const std::vector<ExtremeCable> cables = extremeCables(kCables);
   for (const ExtremeCable& c : cables) {
     if (!c.corner().empty()) continue;
-    const SingleShooting single = shootSingly(c.cable, c.length, c.x, c.w, 1e-8);
-    const CableSolution s = findForces(c.cable, c.length, c.x, c.w, {});
+    const SingleShooting single = shootSingly(c.cable, c.length, c.x, c.y, 1e-8);
+    const CableSolution s = findForces(c.cable, c.length, c.x, c.y, {});
     if (!single.converged || !s.status.ok()) continue;
     ++both;
     const double tension = std::max(s.tension_a, s.tension_b);
@@ -86,7 +86,7 @@ TEST(Extremes, SingleShootingIsWrongOrFailsOnMostOfTheMap) {
     if (difference < 1e-2) continue;
     ++wrong;
     const VerifiedCable held =
-        verify({c.cable, c.length, c.x, c.w, s.horizontal_force, s.vertical_force_a, {}}, Kept::kEndPoint);
+        verify({c.cable, c.length, c.x, c.y, s.horizontal_force, s.vertical_force_a, {}}, Kept::kEndPoint);
     if (held.converged && std::abs(held.h - s.horizontal_force) < 1e-4 * tension) {
       EXPECT_TRUE(held.sags()) << c;
     }
@@ -113,7 +113,7 @@ TEST(Extremes, ForcesDoNotJumpWhereTheMeshChanges) {
                         {"stiff", {1e6, 50.0, 5.0}, 5.0, -0.5, 0.999, 1.05}};
   for (const Path& path : paths) {
     const double x = path.chord * std::cos(path.inclination);
-    const double w = path.chord * std::sin(path.inclination);
+    const double y = path.chord * std::sin(path.inclination);
     int meshes = 0;
     int last_segments = 0;
     CableSolution last;
@@ -122,15 +122,15 @@ TEST(Extremes, ForcesDoNotJumpWhereTheMeshChanges) {
     for (int i = 0; i <= kSteps; ++i) {
       const double length = path.chord * (path.from + (path.to - path.from) * i / kSteps);
       MultipleShooting shooting;
-      BendingOptions bending;
+      SolveLimits bending;
       bending.tolerance = kTolerance;
-      ASSERT_TRUE(solveBendingForces(path.cable, length, x, w, bending, &shooting).status.ok()) << path.name;
+      ASSERT_TRUE(solveBendingForces(path.cable, length, x, y, bending, &shooting).status.ok()) << path.name;
       if (shooting.segments() != last_segments) ++meshes;
       last_segments = shooting.segments();
-      const CableSolution here = findForces(path.cable, length, x, w, options);
+      const CableSolution here = findForces(path.cable, length, x, y, options);
       // A hair's breadth away the mesh may be another one.
       const double ds = 1e-9 * length;
-      const CableSolution next = findForces(path.cable, length + ds, x, w, options);
+      const CableSolution next = findForces(path.cable, length + ds, x, y, options);
       ASSERT_TRUE(here.status.ok() && next.status.ok()) << path.name << " L/chord " << length / path.chord;
       const Eigen::Vector2d jump(next.horizontal_force - here.horizontal_force - ds * here.force_jacobian(0, 2),
                                  next.vertical_force_a - here.vertical_force_a - ds * here.force_jacobian(1, 2));

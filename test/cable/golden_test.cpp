@@ -29,7 +29,7 @@ class Golden : public ::testing::TestWithParam<GoldenCable> {
     EXPECT_NEAR(solution.vertical_force_a, g.v, kAccuracy * g.tension_a);
     EXPECT_NEAR(solution.tension_a, g.tension_a, kAccuracy * g.tension_a);
     EXPECT_NEAR(solution.x, g.x, kAccuracy * g.length);
-    EXPECT_NEAR(solution.w, g.w, kAccuracy * g.length);
+    EXPECT_NEAR(solution.y, g.y, kAccuracy * g.length);
     EXPECT_NEAR(solution.length, g.length, kAccuracy * g.length);
     EXPECT_NEAR(solution.angle_a, g.angle_a, kAccuracy);
     EXPECT_NEAR(solution.angle_b, g.angle_b, kAccuracy);
@@ -44,17 +44,17 @@ TEST_P(Golden, Problem1FindsThePosition) {
 
 TEST_P(Golden, Problem2FindsTheForces) {
   const GoldenCable& g = GetParam();
-  expectWholeAnswer(findForces(g.cable, g.length, g.x, g.w, options(Model::kBending)));
+  expectWholeAnswer(findForces(g.cable, g.length, g.x, g.y, options(Model::kBending)));
 }
 
 TEST_P(Golden, Problem3FindsTheLengthNearestToTheHint) {
   const GoldenCable& g = GetParam();
-  expectWholeAnswer(findLength(g.cable, g.x, g.w, g.tension_a, g.length, options(Model::kBending)));
+  expectWholeAnswer(findLength(g.cable, g.x, g.y, g.tension_a, g.length, options(Model::kBending)));
 }
 
 TEST_P(Golden, Problem3WithoutAHintFindsNoLongerLength) {
   const GoldenCable& g = GetParam();
-  const CableSolution solution = findLength(g.cable, g.x, g.w, g.tension_a, 0.0, options(Model::kBending));
+  const CableSolution solution = findLength(g.cable, g.x, g.y, g.tension_a, 0.0, options(Model::kBending));
   ASSERT_TRUE(solution.status.ok()) << solution.status.message;
   EXPECT_NEAR(solution.tension_a, g.tension_a, kAccuracy * g.tension_a);
   EXPECT_LT(solution.length, g.length * (1.0 + kAccuracy));
@@ -62,7 +62,7 @@ TEST_P(Golden, Problem3WithoutAHintFindsNoLongerLength) {
 
 TEST_P(Golden, CatenaryForces) {
   const GoldenCable& g = GetParam();
-  const CableSolution solution = findForces(g.cable, g.length, g.x, g.w, options(Model::kCatenary));
+  const CableSolution solution = findForces(g.cable, g.length, g.x, g.y, options(Model::kCatenary));
   ASSERT_TRUE(solution.status.ok()) << solution.status.message;
   const double tension = std::hypot(g.catenary_h, g.catenary_v);
   EXPECT_NEAR(solution.horizontal_force, g.catenary_h, 1e-9 * tension);

@@ -37,7 +37,7 @@ const std::vector<Solved>& solvedCables() {
       options.tolerance = kTolerance;
       // About ten points to the thinnest bending layer.
       options.profile_points = 40 + 10 * static_cast<int>(2.0 * c.layers);
-      result.push_back({c, findForces(c.cable, c.length, c.x, c.w, options)});
+      result.push_back({c, findForces(c.cable, c.length, c.x, c.y, options)});
     }
     return result;
   }();
@@ -72,9 +72,9 @@ TEST(RandomCable, ClosesWithMomentFreeEnds) {
     if (!s.solution.status.ok()) continue;
     const std::vector<ProfilePoint>& profile = s.solution.profile;
     EXPECT_NEAR(profile.back().x, s.given.x, 1e-8 * s.given.length) << s.given;
-    EXPECT_NEAR(profile.back().w, s.given.w, 1e-8 * s.given.length) << s.given;
+    EXPECT_NEAR(profile.back().y, s.given.y, 1e-8 * s.given.length) << s.given;
     EXPECT_NEAR(s.solution.x, s.given.x, 1e-9 * s.given.length) << s.given;
-    EXPECT_NEAR(s.solution.w, s.given.w, 1e-9 * s.given.length) << s.given;
+    EXPECT_NEAR(s.solution.y, s.given.y, 1e-9 * s.given.length) << s.given;
     EXPECT_NEAR(profile.front().moment, 0.0, 1e-8 * momentScale(s)) << s.given;
     EXPECT_NEAR(profile.back().moment, 0.0, 1e-8 * momentScale(s)) << s.given;
   }
@@ -91,15 +91,15 @@ TEST(RandomCable, RunsFromEachPointToTheNextByThePapersEquations) {
       const ProfilePoint& b = s.solution.profile[i];
       const CableState<double> end =
           integrateCable<double>(s.given.cable, s.solution.horizontal_force, s.solution.vertical_force_a, a.s, b.s,
-                                 {a.alpha, a.moment, a.x, a.w}, 10);
+                                 {a.alpha, a.moment, a.x, a.y}, 10);
       worst = std::max({worst, std::abs(end[0] - b.alpha), std::abs(end[1] - b.moment) / moment,
-                        std::abs(end[2] - b.x) / s.given.length, std::abs(end[3] - b.w) / s.given.length});
+                        std::abs(end[2] - b.x) / s.given.length, std::abs(end[3] - b.y) / s.given.length});
     }
     EXPECT_LT(worst, 1e-8) << s.given;
   }
 }
 
-// M = V x + H w - q s x + q int_0^s x ds': the integral by Hermite quadrature on the profile.
+// M = V x + H y - q s x + q int_0^s x ds': the integral by Hermite quadrature on the profile.
 TEST(RandomCable, BalancesMomentsByEquation9) {
   for (const Solved& s : solvedCables()) {
     if (!s.solution.status.ok()) continue;
@@ -117,7 +117,7 @@ TEST(RandomCable, BalancesMomentsByEquation9) {
         const ProfilePoint& o = c.profile[i - 1];
         integral += 0.5 * ds * (o.x + p.x) + ds * ds / 12.0 * (slope(o) - slope(p));
       }
-      const double moment = c.vertical_force_a * p.x + c.horizontal_force * p.w - cable.weight * (p.s * p.x - integral);
+      const double moment = c.vertical_force_a * p.x + c.horizontal_force * p.y - cable.weight * (p.s * p.x - integral);
       worst = std::max(worst, std::abs(moment - p.moment));
     }
     // The right side is a small difference of moments of the whole cable.

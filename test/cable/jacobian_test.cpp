@@ -18,7 +18,7 @@ namespace {
 struct Situation {
   const char* name;
   CableProperties cable;
-  double length, x, w;
+  double length, x, y;
   double range;  // over which forces change by themselves [m]
 };
 
@@ -60,7 +60,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.situation.name << ", 
 std::vector<Case> cases() {
   std::vector<Case> result;
   for (const Situation& situation : kSituations) {
-    const bool stretched = std::hypot(situation.x, situation.w) >= situation.length;
+    const bool stretched = std::hypot(situation.x, situation.y) >= situation.length;
     for (const Model model : kModels) {
       if (stretched ? !isInextensible(model) : !isStraight(model)) result.push_back({situation, model});
     }
@@ -71,7 +71,7 @@ std::vector<Case> cases() {
 class Jacobians : public ::testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    solution_ = findForces(at_.cable, at_.length, at_.x, at_.w, options(model_));
+    solution_ = findForces(at_.cable, at_.length, at_.x, at_.y, options(model_));
     ASSERT_TRUE(solution_.status.ok()) << solution_.status.message;
   }
 
@@ -83,7 +83,7 @@ class Jacobians : public ::testing::TestWithParam<Case> {
 TEST_P(Jacobians, OfForcesAreDifferencesOfProblem2) {
   for (int column = 0; column < 3; ++column) {
     const auto forces = [&](double change) -> Eigen::Vector2d {
-      double input[] = {at_.x, at_.w, at_.length};
+      double input[] = {at_.x, at_.y, at_.length};
       input[column] += change;
       const CableSolution s = findForces(at_.cable, input[2], input[0], input[1], options(model_));
       EXPECT_TRUE(s.status.ok()) << s.status.message;
@@ -105,7 +105,7 @@ TEST_P(Jacobians, OfTheEndAreDifferencesOfProblem1) {
       input[column] += change;
       const CableSolution s = findPosition(at_.cable, input[2], input[0], input[1], options(model_));
       EXPECT_TRUE(s.status.ok()) << s.status.message;
-      return {s.x, s.w};
+      return {s.x, s.y};
     };
     const double d = column < 2 ? 2e-3 * std::abs(h) : 1e-3 * at_.length;
     const Eigen::Vector2d expected = difference(end, d);
@@ -145,16 +145,16 @@ INSTANTIATE_TEST_SUITE_P(EverySituation, Jacobians, ::testing::ValuesIn(cases())
 // No difference is taken across x = 0: the limit is.
 TEST(JacobiansAtAVerticalChord, AreTheLimitOfNearlyVerticalOnes) {
   for (const CableProperties& cable : {steelRope(), paperBar()}) {
-    for (const double w : {5.0, -5.0}) {
+    for (const double y : {5.0, -5.0}) {
       for (const double strain : {5e-4, 1e-5}) {
         const double length = 5.0 / (1.0 + strain);
-        const CableSolution at = findForces(cable, length, 0.0, w, options(Model::kBending, 1e-11));
+        const CableSolution at = findForces(cable, length, 0.0, y, options(Model::kBending, 1e-11));
         const double x = 1e-6;
-        const CableSolution near = findForces(cable, length, x, w, options(Model::kBending, 1e-11));
+        const CableSolution near = findForces(cable, length, x, y, options(Model::kBending, 1e-11));
         ASSERT_TRUE(at.status.ok() && near.status.ok()) << at.status.message << near.status.message;
         const double difference_quotient = near.horizontal_force / x;
         EXPECT_NEAR(at.force_jacobian(0, 0), difference_quotient, 1e-7 * difference_quotient)
-            << "EI " << cable.bending_stiffness << ", w " << w << ", strain " << strain;
+            << "EI " << cable.bending_stiffness << ", y " << y << ", strain " << strain;
       }
     }
   }

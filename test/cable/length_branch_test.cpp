@@ -120,7 +120,7 @@ TEST(LengthBranches, TheTautSideIsNotMistakenForTheCompressedOne) {
 
 struct DeepLoop {
   CableProperties cable;
-  double x, w, tension;
+  double x, y, tension;
 };
 
 // Lengths at which following the curve and a cold start may end in different equilibria.
@@ -138,7 +138,7 @@ TEST(LengthBranches, ConvergedMeansTheTensionAskedFor) {
                              3.0631047769585726,
                              277.500537}};
   for (const DeepLoop& loop : loops) {
-    const CableSolution s = findLength(loop.cable, loop.x, loop.w, loop.tension, 0.0, options(Model::kBending, 1e-8));
+    const CableSolution s = findLength(loop.cable, loop.x, loop.y, loop.tension, 0.0, options(Model::kBending, 1e-8));
     if (s.status.ok()) {
       EXPECT_NEAR(s.tension_a, loop.tension, 1e-7 * loop.tension);
     } else {

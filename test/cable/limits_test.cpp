@@ -23,7 +23,7 @@ CableSolverOptions options(Model model, double tolerance = 1e-12) {
 }
 
 Eigen::Vector2d forces(const CableSolution& s) { return {s.horizontal_force, s.vertical_force_a}; }
-Eigen::Vector2d end(const CableSolution& s) { return {s.x, s.w}; }
+Eigen::Vector2d end(const CableSolution& s) { return {s.x, s.y}; }
 
 // Order of error(parameter) between two values of it.
 double order(const std::function<double(double)>& error, double a, double b) {
@@ -114,12 +114,12 @@ TEST(Symmetries, ScaleChangesNothing) {
   random.fewest_layers = 0.5;
   for (int i = 0; i < 60; ++i) {
     const CableCase c = random.next();
-    const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options(Model::kBending, 1e-9));
+    const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options(Model::kBending, 1e-9));
     ASSERT_TRUE(s.status.ok()) << c << ": " << s.status.message;
     for (const auto& [a, b] : {std::pair(1e-3, 1e5), std::pair(300.0, 1e-4)}) {
       const CableProperties scaled{c.cable.axial_stiffness * b, c.cable.bending_stiffness * a * a * b,
                                    c.cable.weight * b / a};
-      const CableSolution t = findForces(scaled, c.length * a, c.x * a, c.w * a, options(Model::kBending, 1e-9));
+      const CableSolution t = findForces(scaled, c.length * a, c.x * a, c.y * a, options(Model::kBending, 1e-9));
       ASSERT_TRUE(t.status.ok()) << c << ", lengths times " << a << ": " << t.status.message;
       EXPECT_LT((forces(t) / b - forces(s)).norm(), 1e-8 * s.tension_a) << c << ", lengths times " << a;
       EXPECT_NEAR(t.sag / a, s.sag, 1e-8 * c.length) << c << ", lengths times " << a;
@@ -127,14 +127,14 @@ TEST(Symmetries, ScaleChangesNothing) {
   }
 }
 
-// Seen from B the same cable leads to (x, -w), and what held its one end now holds the other.
+// Seen from B the same cable leads to (x, -y), and what held its one end now holds the other.
 TEST(Symmetries, EitherEndMayBeCalledA) {
   RandomCables random;
   random.fewest_layers = 0.5;
   for (int i = 0; i < 100; ++i) {
     const CableCase c = random.next();
-    const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options(Model::kBending, 1e-10));
-    const CableSolution t = findForces(c.cable, c.length, c.x, -c.w, options(Model::kBending, 1e-10));
+    const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options(Model::kBending, 1e-10));
+    const CableSolution t = findForces(c.cable, c.length, c.x, -c.y, options(Model::kBending, 1e-10));
     ASSERT_TRUE(s.status.ok() && t.status.ok()) << c << ": " << s.status.message << t.status.message;
     EXPECT_NEAR(t.horizontal_force, s.horizontal_force, 1e-8 * s.tension_a) << c;
     EXPECT_NEAR(t.vertical_force_a, c.cable.weight * c.length - s.vertical_force_a, 1e-8 * s.tension_a) << c;

@@ -46,7 +46,7 @@ class Measures : public ::testing::TestWithParam<Model> {};
 TEST_P(Measures, ProfilesAreUniformInSWithBothEnds) {
   for (const CableCase& c : cablesFor(GetParam())) {
     for (const int points : {2, 3, 7, 100}) {
-      const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), points));
+      const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), points));
       ASSERT_TRUE(s.status.ok()) << c << ": " << s.status.message;
       ASSERT_EQ(s.profile.size(), static_cast<std::size_t>(points)) << c;
       EXPECT_TRUE(isFinite(s)) << c;
@@ -56,9 +56,9 @@ TEST_P(Measures, ProfilesAreUniformInSWithBothEnds) {
       const ProfilePoint& a = s.profile.front();
       const ProfilePoint& b = s.profile.back();
       EXPECT_EQ(a.x, 0.0);
-      EXPECT_EQ(a.w, 0.0);
+      EXPECT_EQ(a.y, 0.0);
       EXPECT_NEAR(b.x, c.x, 1e-8 * c.length) << c;
-      EXPECT_NEAR(b.w, c.w, 1e-8 * c.length) << c;
+      EXPECT_NEAR(b.y, c.y, 1e-8 * c.length) << c;
       EXPECT_NEAR(a.alpha, s.angle_a, 1e-9) << c;
       EXPECT_NEAR(b.alpha, s.angle_b, 1e-8) << c;
     }
@@ -67,7 +67,7 @@ TEST_P(Measures, ProfilesAreUniformInSWithBothEnds) {
 
 TEST_P(Measures, NoProfileUnlessAskedFor) {
   for (const CableCase& c : cablesFor(GetParam())) {
-    EXPECT_TRUE(findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 0)).profile.empty());
+    EXPECT_TRUE(findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 0)).profile.empty());
   }
 }
 
@@ -75,12 +75,12 @@ TEST_P(Measures, NoProfileUnlessAskedFor) {
 TEST_P(Measures, AreThoseOfAFineProfile) {
   constexpr int kPoints = 8001;
   for (const CableCase& c : cablesFor(GetParam())) {
-    const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), kPoints));
+    const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), kPoints));
     ASSERT_TRUE(s.status.ok()) << c << ": " << s.status.message;
     double sag = 0.0, moment = 0.0, shear = 0.0, stretched = 0.0;
     for (int i = 0; i < kPoints; ++i) {
       const ProfilePoint& p = s.profile[i];
-      sag = std::max(sag, std::abs(p.x * c.w - p.w * c.x) / c.chord());
+      sag = std::max(sag, std::abs(p.x * c.y - p.y * c.x) / c.chord());
       moment = std::max(moment, std::abs(p.moment));
       shear = std::max(shear, std::abs(p.shear));
       const double weight = i == 0 || i == kPoints - 1 ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;  // Simpson's rule
@@ -104,8 +104,8 @@ TEST_P(Measures, AreThoseOfAFineProfile) {
 // Whether a profile is asked for, and how fine, changes nothing else.
 TEST_P(Measures, DoNotDependOnTheProfile) {
   for (const CableCase& c : cablesFor(GetParam())) {
-    const CableSolution none = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 0));
-    const CableSolution fine = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 500));
+    const CableSolution none = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 0));
+    const CableSolution fine = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 500));
     EXPECT_EQ(none.horizontal_force, fine.horizontal_force) << c;
     EXPECT_EQ(none.sag, fine.sag) << c;
     EXPECT_EQ(none.max_moment, fine.max_moment) << c;
@@ -116,12 +116,12 @@ TEST_P(Measures, DoNotDependOnTheProfile) {
 
 TEST_P(Measures, AProfileHoldsStillAtLooseTolerances) {
   for (const CableCase& c : cablesFor(GetParam())) {
-    const CableSolution loose = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 41, 1e-6));
-    const CableSolution tight = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 41, 1e-11));
+    const CableSolution loose = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 41, 1e-6));
+    const CableSolution tight = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 41, 1e-11));
     ASSERT_TRUE(loose.status.ok() && tight.status.ok()) << c;
     for (std::size_t i = 0; i < tight.profile.size(); ++i) {
       ASSERT_NEAR(loose.profile[i].x, tight.profile[i].x, 1e-4 * c.length) << c << ", point " << i;
-      ASSERT_NEAR(loose.profile[i].w, tight.profile[i].w, 1e-4 * c.length) << c << ", point " << i;
+      ASSERT_NEAR(loose.profile[i].y, tight.profile[i].y, 1e-4 * c.length) << c << ", point " << i;
     }
   }
 }
@@ -136,7 +136,7 @@ TEST_P(Measures, HoldForTheOtherProblemsToo) {
   ASSERT_TRUE(third.status.ok()) << third.status.message;
   EXPECT_EQ(third.profile.size(), 5u);
   EXPECT_NEAR(third.profile.back().x, 7.0, 1e-8);
-  EXPECT_NEAR(third.profile.back().w, -4.0, 1e-8);
+  EXPECT_NEAR(third.profile.back().y, -4.0, 1e-8);
 }
 
 std::string nameOf(const ::testing::TestParamInfo<Model>& test) { return modelName(test.param); }
@@ -145,14 +145,14 @@ TEST_P(Measures, TheIntegratorsWorkIsCountedAndGrowsWithAccuracy) {
   int steps = 0;
   int finer_steps = 0;
   for (const CableCase& c : cablesFor(GetParam())) {
-    const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 0, 1e-5));
+    const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 0, 1e-5));
     ASSERT_TRUE(s.status.ok()) << c << ": " << s.status.message;
     if (!isBending(GetParam()) || c.cable.bending_stiffness == 0.0) {
       EXPECT_EQ(s.integrator_steps, 0) << c;
     }
     EXPECT_GE(s.evaluations, 6 * s.integrator_steps) << c;
     steps += s.integrator_steps;
-    finer_steps += findForces(c.cable, c.length, c.x, c.w, options(GetParam(), 0, 1e-10)).integrator_steps;
+    finer_steps += findForces(c.cable, c.length, c.x, c.y, options(GetParam(), 0, 1e-10)).integrator_steps;
   }
   EXPECT_EQ(finer_steps > steps, isBending(GetParam()));
 }

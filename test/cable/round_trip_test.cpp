@@ -26,7 +26,7 @@ const std::vector<Held>& heldCables() {
       const CableCase c = random.next();
       CableSolverOptions options;
       options.tolerance = 1e-10;
-      const CableSolution s = findForces(c.cable, c.length, c.x, c.w, options);
+      const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options);
       if (s.status.ok()) result.push_back({c, s});
     }
     return result;
@@ -61,7 +61,7 @@ TEST(RoundTrip, Problem1ReturnsToThePlaceOfAPulledCable) {
     EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
     if (!back.status.ok()) continue;
     EXPECT_NEAR(back.x, s.x, 1e-7 * s.length) << held.given;
-    EXPECT_NEAR(back.w, s.w, 1e-7 * s.length) << held.given;
+    EXPECT_NEAR(back.y, s.y, 1e-7 * s.length) << held.given;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(RoundTrip, Problem3ReturnsToTheLengthThatIsHinted) {
   for (const Held& held : heldCables()) {
     const CableSolution& s = held.solution;
     const CableSolution back =
-        findLength(held.given.cable, held.given.x, held.given.w, s.tension_a, s.length, options());
+        findLength(held.given.cable, held.given.x, held.given.y, s.tension_a, s.length, options());
     EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
     if (!back.status.ok()) continue;
     EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;
@@ -106,7 +106,7 @@ TEST(RoundTrip, Problem3ReturnsToTheLengthThatIsHinted) {
 TEST(RoundTrip, Problem3WithoutAHintFindsThisLengthOrAShorterOne) {
   for (const Held& held : heldCables()) {
     const CableSolution& s = held.solution;
-    const CableSolution back = findLength(held.given.cable, held.given.x, held.given.w, s.tension_a, 0.0, options());
+    const CableSolution back = findLength(held.given.cable, held.given.x, held.given.y, s.tension_a, 0.0, options());
     EXPECT_TRUE(back.status.ok()) << held.given << ": " << back.status.message;
     if (!back.status.ok()) continue;
     EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;

@@ -25,7 +25,7 @@ double differenceOf(const CableSolution& own, const Scale& scale, const CableSol
   EXPECT_EQ(own.status.code, other.status.code) << other.status.message;
   EXPECT_EQ(own.model, other.model);
   if (!own.status.ok() || !other.status.ok()) return 0.0;
-  const double apart = std::hypot(own.x - other.x / scale.length, own.w - other.w / scale.length);
+  const double apart = std::hypot(own.x - other.x / scale.length, own.y - other.y / scale.length);
   const double forces = std::hypot(own.horizontal_force - other.horizontal_force / scale.force,
                                    own.vertical_force_a - other.vertical_force_a / scale.force);
   return std::max({apart / own.length, std::abs(1.0 - other.length / scale.length / own.length),
@@ -47,14 +47,14 @@ void CableScale::expectTheSameInOtherUnits(const std::vector<Scale>& scales, dou
     if (isStraight(GetParam()) && c.length > c.chord()) continue;  // carries the least tension that there is
     CableSolverOptions options;
     options.model = GetParam();
-    const CableSolution forces = findForces(c.cable, c.length, c.x, c.w, options);
+    const CableSolution forces = findForces(c.cable, c.length, c.x, c.y, options);
     if (!forces.status.ok()) continue;
     ++solved;
     const double h = forces.horizontal_force;
     const double v = forces.vertical_force_a;
     const double tension = forces.tension_a;
     const CableSolution position = findPosition(c.cable, c.length, h, v, options);
-    const CableSolution length = findLength(c.cable, c.x, c.w, tension, c.length, options);
+    const CableSolution length = findLength(c.cable, c.x, c.y, tension, c.length, options);
     for (const Scale& s : scales) {
       SCOPED_TRACE(testing::Message() << c << ", lengths times " << s.length << ", forces times " << s.force);
       const CableProperties cable = scaled(s, c.cable);
@@ -62,10 +62,10 @@ void CableScale::expectTheSameInOtherUnits(const std::vector<Scale>& scales, dou
       other.accuracy *= s.length;
       const double l = s.length * c.length;
       const double x = s.length * c.x;
-      const double w = s.length * c.w;
-      worst = std::max({worst, differenceOf(forces, s, findForces(cable, l, x, w, other)),
+      const double y = s.length * c.y;
+      worst = std::max({worst, differenceOf(forces, s, findForces(cable, l, x, y, other)),
                         differenceOf(position, s, findPosition(cable, l, s.force * h, s.force * v, other)),
-                        differenceOf(length, s, findLength(cable, x, w, s.force * tension, l, other))});
+                        differenceOf(length, s, findLength(cable, x, y, s.force * tension, l, other))});
     }
   }
   std::cout << modelName(GetParam()) << ": " << solved << " cables, largest difference " << worst << "\n";

@@ -9,8 +9,8 @@
 #include <ostream>
 #include <string>
 
+#include "cable/shot.h"
 #include "cable_equations.h"
-#include "cdpr_kinetostatics/cable/shot.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -33,7 +33,7 @@ const ShotCase kCases[] = {
     {"weightless", {1.0, 0.0, 0.0, 1e-3}, 0.0, 3.0, {0.3, 0.2, 0.0, 0.0}},
 };
 
-Eigen::Vector4d vectorOf(const ShotState& state) { return {state.alpha, state.moment, state.x, state.w}; }
+Eigen::Vector4d vectorOf(const ShotState& state) { return {state.alpha, state.moment, state.x, state.y}; }
 
 // The case with one of (alpha0, moment0, h, v) changed.
 ShotCase moved(ShotCase c, int column, double change) {
@@ -82,7 +82,7 @@ TEST_P(ShotSensitivity, AgreeWithAutomaticDifferentiationOfThePapersEquations) {
   using Jet = ceres::Jet<double, 4>;
   const ShotCase& c = GetParam();
   const CableProperties cable{1.0 / c.parameters.eps, 1.0, c.parameters.q};
-  const CableState<Jet> start{Jet(c.start.alpha, 0), Jet(c.start.moment, 1), Jet(c.start.x), Jet(c.start.w)};
+  const CableState<Jet> start{Jet(c.start.alpha, 0), Jet(c.start.moment, 1), Jet(c.start.x), Jet(c.start.y)};
   const CableState<Jet> end =
       integrateCable<Jet>(cable, Jet(c.parameters.h, 2), Jet(c.parameters.v, 3), Jet(c.t0), Jet(c.t1), start, 3000);
   StepGrid grid;

@@ -1,5 +1,5 @@
 // The quiet middle in closed form against shooting the whole cable, against its own equations, and its cost.
-#include "cdpr_kinetostatics/cable/slow_manifold.h"
+#include "cable/slow_manifold.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <limits>
 #include <vector>
 
+#include "cable/catenary.h"
+#include "cable/multiple_shooting.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/multiple_shooting.h"
 #include "finite_solution.h"
 #include "known_cables.h"
 #include "random_cables.h"
@@ -51,7 +51,7 @@ const ForcesAtA kHanging{3.0, 4.0};
 
 void expectSameShape(const CableSolution& a, const CableSolution& b, double tolerance) {
   EXPECT_NEAR(a.x, b.x, tolerance * a.length);
-  EXPECT_NEAR(a.w, b.w, tolerance * a.length);
+  EXPECT_NEAR(a.y, b.y, tolerance * a.length);
   EXPECT_NEAR(a.angle_a, b.angle_a, 10.0 * tolerance);
   EXPECT_NEAR(a.angle_b, b.angle_b, 10.0 * tolerance);
   EXPECT_NEAR(a.sag, b.sag, tolerance * a.length);
@@ -63,7 +63,7 @@ void expectSameShape(const CableSolution& a, const CableSolution& b, double tole
   ASSERT_EQ(a.profile.size(), b.profile.size());
   for (std::size_t i = 0; i < a.profile.size(); ++i) {
     EXPECT_NEAR(a.profile[i].x, b.profile[i].x, tolerance * a.length);
-    EXPECT_NEAR(a.profile[i].w, b.profile[i].w, tolerance * a.length);
+    EXPECT_NEAR(a.profile[i].y, b.profile[i].y, tolerance * a.length);
     EXPECT_NEAR(a.profile[i].alpha, b.profile[i].alpha, 10.0 * tolerance);
     EXPECT_NEAR(a.profile[i].moment, b.profile[i].moment, 10.0 * tolerance * force * thickness);
     EXPECT_NEAR(a.profile[i].tension, b.profile[i].tension, 10.0 * tolerance * force);
@@ -89,7 +89,7 @@ TEST(QuietMiddle, AgreesWithShootingTheWholeCable) {
     CableCase c = random.next();
     const double tolerance = i % 4 < 2 ? 1e-10 : 1e-8;
     if (i % 3 == 0) c.cable.axial_stiffness = kInextensible;
-    const std::optional<ForcesAtA> forces = catenaryForces(c.cable, c.length, c.x, c.w);
+    const std::optional<ForcesAtA> forces = catenaryForces(c.cable, c.length, c.x, c.y);
     if (!forces) continue;
     MultipleShooting closed_form;
     closed_form.start(c.cable, c.length, forces->horizontal, forces->vertical, tolerance);
@@ -174,16 +174,16 @@ TEST(QuietMiddle, CostDoesNotGrowWithTheLayers) {
 
 TEST(QuietMiddle, AMillionLayersAreACatenary) {
   for (const double length : {9.99, 10.01, 12.0}) {
-    for (const double w : {-6.0, 0.0, 6.0}) {
+    for (const double y : {-6.0, 0.0, 6.0}) {
       CableProperties cable = steelRope();
-      const double x = std::sqrt(100.0 - w * w);
-      const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, w);
+      const double x = std::sqrt(100.0 - y * y);
+      const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, y);
       ASSERT_TRUE(catenary);
       const double tension = std::hypot(catenary->horizontal, catenary->vertical);
       cable.bending_stiffness = tension * std::pow(length / 1e6, 2);
       CableSolverOptions options;
       options.profile_points = 50;
-      const CableSolution s = findForces(cable, length, x, w, options);
+      const CableSolution s = findForces(cable, length, x, y, options);
       ASSERT_TRUE(s.status.ok()) << s.status.message;
       EXPECT_TRUE(isFinite(s));
       EXPECT_NEAR(s.horizontal_force, catenary->horizontal, 1e-7 * tension);
@@ -299,7 +299,7 @@ TEST(SlowManifold, StretchesAreSumsOfItsSlopes) {
       const SlowState slow = slowState(p, t, 3);
       const ShotState slope = shotDerivative(p, t, {slow.alpha, slow.moment, 0.0, 0.0});
       const double weight = i == 0 || i == kIntervals ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
-      sum += weight * (t1 - t0) / (3.0 * kIntervals) * Eigen::Vector2d(slope.x, slope.w);
+      sum += weight * (t1 - t0) / (3.0 * kIntervals) * Eigen::Vector2d(slope.x, slope.y);
     }
     EXPECT_LT((slowStretch(p, t0, t1, 3).displacement - sum).norm(), 1e-11);
     double t = t0;

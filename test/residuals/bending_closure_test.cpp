@@ -108,7 +108,7 @@ TEST(BendingClosure, StaysFiniteWhereTheEndLiesStraightBelowTheAnchor) {
 TEST(BendingClosure, RefusesAfterItsDeadline) {
   Dice dice(25);
   const ClosureState s = randomClosure({"slack", 0.05, 0.8, 0.9, -1.0, false}, &dice);
-  BendingOptions options{kTolerance};
+  SolveLimits options{kTolerance};
   const BendingClosure patient(s.cable, s.anchor, s.attachment, s.chord, options);
   EXPECT_TRUE(evaluate(patient, s.parameters).valid);
   options.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);

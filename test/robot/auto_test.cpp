@@ -6,7 +6,7 @@
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/robot/rung_choice.h"
+#include "robot/rung_choice.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {

@@ -1,5 +1,5 @@
 // The nearest point of a polytope against enumeration of all active sets.
-#include "cdpr_kinetostatics/robot/bounded_qp.h"
+#include "robot/nearest_in_polytope.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "robot/platform_statics.h"
 #include "robot_audit.h"
 #include "robot_cases.h"
 #include "scaled_robot.h"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "robot/platform_statics.h"
 #include "robot_audit.h"
 #include "robot_cases.h"
 

@@ -40,7 +40,7 @@ void expectShortestCables(const RobotDescription& robot, const RobotSolution& so
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const CableSolution& cable = solution.cables[i].cable;
     const CableSolution shortest =
-        findLength(robot.cables[i].properties, cable.x, cable.w, cable.tension_a, 0.0, options);
+        findLength(robot.cables[i].properties, cable.x, cable.y, cable.tension_a, 0.0, options);
     if (!shortest.status.ok()) continue;  // at the least tension that can hold the cable
     EXPECT_LT(cable.length, 1.05 * shortest.length) << "cable " << i << ", tension " << cable.tension_a << " N";
   }

@@ -1,7 +1,7 @@
 // The paper's section 4, a point mass on two bars of 4 to 5 m and 7 m: positions to 1e-9 m.
 //
-// The values are those of an independent solver, scripts/section4_collocation.py (Chebyshev collocation of both cables
-// at once, 73 nodes; closed forms for the other models). docs/section4.md has the whole table.
+// The values are those of an independent solver, scripts/studies/section4_collocation.py (Chebyshev collocation of both
+// cables at once, 73 nodes; closed forms for the other models). docs/section4.md has the whole table.
 #include <gtest/gtest.h>
 
 #include <cmath>

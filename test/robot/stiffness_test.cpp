@@ -8,7 +8,7 @@
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/robot/platform_statics.h"
+#include "robot/platform_statics.h"
 #include "robot_audit.h"
 #include "robot_cases.h"
 

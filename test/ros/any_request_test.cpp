@@ -8,11 +8,11 @@
 #include <random>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/cable_service.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/forward_service.h"
-#include "cdpr_kinetostatics/ros/inverse_service.h"
 #include "node_client.h"
+#include "ros/cable_service.h"
+#include "ros/conversions.h"
+#include "ros/forward_service.h"
+#include "ros/inverse_service.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
 #include "node_client.h"
+#include "ros/conversions.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -18,8 +18,8 @@
 #include "cdpr_kinetostatics/SetPose.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/conversions.h"
+#include "ros/service_reply.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -1,7 +1,7 @@
 // What RViz draws: every number finite, every marker with a name of its own, colours and places that mean what they
 // say.
 
-#include "cdpr_kinetostatics/ros/markers.h"
+#include "ros/markers.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/conversions.h"
+#include "ros/service_reply.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -1,6 +1,6 @@
 // Every message on cable_states is either used or refused with a reason, and counted.
 
-#include "cdpr_kinetostatics/ros/measurement_input.h"
+#include "ros/measurement_input.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/measurement_queue.h"
+#include "ros/measurement_queue.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -9,7 +9,7 @@
 #include "cdpr_kinetostatics/ForwardKinetostatics.h"
 #include "cdpr_kinetostatics/InverseKinetostatics.h"
 #include "cdpr_kinetostatics/SolveCable.h"
-#include "cdpr_kinetostatics/ros/service_reply.h"
+#include "ros/service_reply.h"
 
 namespace cdpr_kinetostatics {
 

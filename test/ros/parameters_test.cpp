@@ -1,4 +1,4 @@
-#include "cdpr_kinetostatics/ros/parameters.h"
+#include "ros/parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
+#include "ros/conversions.h"
 #include "yaml_parameters.h"
 
 namespace cdpr_kinetostatics {

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/KinetostaticState.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
 #include "node_process.h"
+#include "ros/conversions.h"
 #include "yaml_parameters.h"
 
 namespace cdpr_kinetostatics {

@@ -10,8 +10,8 @@
 #include <future>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "cdpr_kinetostatics/ros/conversions.h"
 #include "node_client.h"
+#include "ros/conversions.h"
 
 namespace cdpr_kinetostatics {
 namespace {

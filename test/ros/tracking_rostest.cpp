@@ -12,7 +12,7 @@
 #include <cmath>
 #include <map>
 
-#include "cdpr_kinetostatics/ros/conversions.h"
+#include "ros/conversions.h"
 
 namespace cdpr_kinetostatics {
 namespace {

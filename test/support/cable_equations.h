@@ -10,7 +10,7 @@
 namespace cdpr_kinetostatics {
 
 template <typename T>
-using CableState = std::array<T, 4>;  // alpha, M, x, w
+using CableState = std::array<T, 4>;  // alpha, M, x, y
 
 template <typename T>
 CableState<T> cableSlope(const CableProperties& cable, const T& h, const T& v, const T& s, const CableState<T>& y) {

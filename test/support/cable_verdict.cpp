@@ -24,7 +24,7 @@ CableSolution timed(const JudgeOptions& options, Judged* judged, const Solve& so
   CableSolverOptions solver;
   solver.tolerance = options.tolerance;
   const Clock::time_point start = Clock::now();
-  solver.deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.timeout));
+  solver.timeout = std::chrono::duration<double>(options.timeout);
   CableSolution solution = solve(solver);
   judged->time = std::chrono::duration<double>(Clock::now() - start).count();
   judged->code = solution.status.code;
@@ -94,16 +94,16 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
 
   // Problem 2.
   const CableSolution held =
-      timed(options, &verdict.forces, [&](const auto& o) { return findForces(c.cable, c.length, c.x, c.w, o); });
+      timed(options, &verdict.forces, [&](const auto& o) { return findForces(c.cable, c.length, c.x, c.y, o); });
   VerifiedCable truth;
   if (held.status.ok()) {
-    const ClaimedCable claim{c.cable, c.length, c.x, c.w, held.horizontal_force, held.vertical_force_a, {}};
+    const ClaimedCable claim{c.cable, c.length, c.x, c.y, held.horizontal_force, held.vertical_force_a, {}};
     const Check checked = check(
         claim, Kept::kEndPoint, options.accuracy,
         [&](const VerifiedCable& found) {
           return std::hypot(found.h - claim.h, found.v - claim.v) / largerTension(c.cable, c.length, found.h, found.v);
         },
-        [&] { return findForces(c.cable, c.length, c.x, c.w, withProfile(options)).profile; });
+        [&] { return findForces(c.cable, c.length, c.x, c.y, withProfile(options)).profile; });
     truth = checked.verified;
     verdict.forces.error = checked.error;
     verdict.forces.outcome = outcomeOf(checked, options.accuracy, truth.sags());
@@ -112,7 +112,7 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
   }
 
   const Clock::time_point start = Clock::now();
-  const SingleShooting single = shootSingly(c.cable, c.length, c.x, c.w, options.tolerance);
+  const SingleShooting single = shootSingly(c.cable, c.length, c.x, c.y, options.tolerance);
   verdict.single.time = std::chrono::duration<double>(Clock::now() - start).count();
   verdict.single.iterations = single.iterations;
   verdict.single.outcome = Outcome::kRefused;
@@ -130,13 +130,13 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
   const CableSolution placed = timed(
       options, &verdict.position, [&](const auto& o) { return findPosition(c.cable, c.length, truth.h, truth.v, o); });
   if (placed.status.ok()) {
-    const ClaimedCable claim{c.cable, c.length, placed.x, placed.w, truth.h, truth.v, {}};
+    const ClaimedCable claim{c.cable, c.length, placed.x, placed.y, truth.h, truth.v, {}};
     const Check checked = check(
         claim, Kept::kForces, options.accuracy,
-        [&](const VerifiedCable& found) { return std::hypot(found.x - claim.x, found.w - claim.w) / c.length; },
+        [&](const VerifiedCable& found) { return std::hypot(found.x - claim.x, found.y - claim.y) / c.length; },
         [&] { return findPosition(c.cable, c.length, truth.h, truth.v, withProfile(options)).profile; });
-    const bool there = std::hypot(placed.x - c.x, placed.w - c.w) < kSame * c.length;
-    const bool pulls = truth.h > 0.0 && c.x * truth.h + c.w * (0.5 * c.cable.weight * c.length - truth.v) > 0.0;
+    const bool there = std::hypot(placed.x - c.x, placed.y - c.y) < kSame * c.length;
+    const bool pulls = truth.h > 0.0 && c.x * truth.h + c.y * (0.5 * c.cable.weight * c.length - truth.v) > 0.0;
     const bool asked_for = checked.verified.sags() && (there || !pulls) && placed.x >= -kSame * c.length;
     verdict.position.error = checked.error;
     verdict.position.outcome = outcomeOf(checked, options.accuracy, asked_for);
@@ -146,17 +146,17 @@ CableVerdict judge(const ExtremeCable& c, const JudgeOptions& options) {
   const double tension = std::hypot(truth.h, truth.v);
   if (!(tension > 0.0)) return verdict;
   const CableSolution cut = timed(options, &verdict.length, [&](const auto& o) {
-    return findLength(c.cable, c.x, c.w, tension, options.hinted ? c.length : 0.0, o);
+    return findLength(c.cable, c.x, c.y, tension, options.hinted ? c.length : 0.0, o);
   });
   if (cut.status.ok()) {
-    const ClaimedCable claim{c.cable, cut.length, c.x, c.w, cut.horizontal_force, cut.vertical_force_a, {}};
+    const ClaimedCable claim{c.cable, cut.length, c.x, c.y, cut.horizontal_force, cut.vertical_force_a, {}};
     const Check checked = check(
         claim, Kept::kEndPoint, options.accuracy,
         [&](const VerifiedCable& found) {
           return std::abs(std::hypot(found.h, found.v) - tension) /
                  largerTension(c.cable, cut.length, found.h, found.v);
         },
-        [&] { return findForces(c.cable, cut.length, c.x, c.w, withProfile(options)).profile; });
+        [&] { return findForces(c.cable, cut.length, c.x, c.y, withProfile(options)).profile; });
     const bool asked_for =
         options.hinted ? std::abs(cut.length - c.length) <= kSame * c.length : cut.length <= (1.0 + kSame) * c.length;
     verdict.length.error = checked.error;

@@ -38,7 +38,7 @@ CantileverTip solveCantilever(const Cantilever& c, const ShotTolerance& toleranc
   }
   tip.solved = true;
   tip.x = shot.end.x * c.length;
-  tip.w = shot.end.w * c.length;
+  tip.y = shot.end.y * c.length;
   tip.alpha = shot.end.alpha;
   tip.clamp_moment = moment * force * c.length;
   return tip;

@@ -2,8 +2,8 @@
 // of the literature are cantilevers.
 #pragma once
 
+#include "cable/shot.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
-#include "cdpr_kinetostatics/cable/shot.h"
 
 namespace cdpr_kinetostatics {
 
@@ -15,7 +15,7 @@ struct Cantilever {
 
 struct CantileverTip {
   bool solved = false;
-  double x = 0.0, w = 0.0;    // [m], clamped horizontally at the origin
+  double x = 0.0, y = 0.0;    // [m], clamped horizontally at the origin
   double alpha = 0.0;         // slope [rad]
   double clamp_moment = 0.0;  // [N m]
 };

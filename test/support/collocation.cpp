@@ -81,7 +81,7 @@ struct Scaled {
   Eigen::Vector2d force;
 };
 
-// Right-hand side at one point: (alpha', m', x', w') and derivatives with respect to (alpha, m, h, v).
+// Right-hand side at one point: (alpha', m', x', y') and derivatives with respect to (alpha, m, h, v).
 struct Slope {
   Eigen::Vector4d value;
   Eigen::Matrix4d derivative;
@@ -143,7 +143,7 @@ class Collocation {
 
   bool solve(Kept kept) {
     if (intervals() > kMaxIntervals) return false;
-    const Eigen::Vector2d end = Eigen::Vector2d(claim_.x, claim_.w) / claim_.length;
+    const Eigen::Vector2d end = Eigen::Vector2d(claim_.x, claim_.y) / claim_.length;
     double last_size = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMaxIterations; ++i) {
       ++iterations_;
@@ -407,7 +407,7 @@ constexpr double kLoopAngle = 1.65 * M_PI;
 }  // namespace
 
 bool VerifiedCable::sags() const {
-  return stable && area_below_chord >= -1e-9 * (x * x + w * w) && std::abs(turning) < kLoopAngle;
+  return stable && area_below_chord >= -1e-9 * (x * x + y * y) && std::abs(turning) < kLoopAngle;
 }
 
 VerifiedCable verify(const ClaimedCable& claim, Kept kept) {
@@ -429,7 +429,7 @@ VerifiedCable verify(const ClaimedCable& claim, Kept kept) {
   result.h = fine.force().x();
   result.v = fine.force().y();
   result.x = fine.end().x();
-  result.w = fine.end().y();
+  result.y = fine.end().y();
   result.angle_a = fine.angleA();
   result.angle_b = fine.angleB();
   result.force_error = (fine.force() - coarse.force()).norm();

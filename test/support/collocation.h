@@ -16,7 +16,7 @@ namespace cdpr_kinetostatics {
 struct ClaimedCable {
   CableProperties cable;                // EI > 0
   double length = 0.0;                  // [m]
-  double x = 0.0, w = 0.0;              // end B [m]
+  double x = 0.0, y = 0.0;              // end B [m]
   double h = 0.0, v = 0.0;              // force at A [N]
   std::vector<ProfilePoint> profile{};  // uniform in s, if known; else the shape is guessed from the force
 };
@@ -27,14 +27,14 @@ enum class Kept { kEndPoint, kForces };
 struct VerifiedCable {
   bool converged = false;
   double h = 0.0, v = 0.0;              // [N]
-  double x = 0.0, w = 0.0;              // [m]
+  double x = 0.0, y = 0.0;              // [m]
   double angle_a = 0.0, angle_b = 0.0;  // [rad]
   double force_error = 0.0;             // estimated error of (h, v) [N]
-  double end_error = 0.0;               // estimated error of (x, w) [m]
+  double end_error = 0.0;               // estimated error of (x, y) [m]
   bool stable = false;                  // with both ends held
   double area_below_chord = 0.0;        // [m^2]
   double turning = 0.0;                 // alpha(L) - alpha(0) [rad]
-  Eigen::Matrix2d compliance;           // d(x, w)/d(h, v) [m/N]
+  Eigen::Matrix2d compliance;           // d(x, y)/d(h, v) [m/N]
   int iterations = 0;
   int intervals = 0;
 

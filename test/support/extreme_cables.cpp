@@ -43,7 +43,7 @@ std::string ExtremeCable::corner() const {
 
 std::ostream& operator<<(std::ostream& out, const ExtremeCable& c) {
   return out << std::setprecision(17) << "{" << c.cable.axial_stiffness << ", " << c.cable.bending_stiffness << ", "
-             << c.cable.weight << "}, L " << c.length << ", x " << c.x << ", w " << c.w << " (L/chord - 1 "
+             << c.cable.weight << "}, L " << c.length << ", x " << c.x << ", y " << c.y << " (L/chord - 1 "
              << std::setprecision(4) << c.length / c.chord - 1.0 << ", kappa L " << c.layers << ", strain " << c.strain
              << ", weight " << c.weight << ", inclination " << c.inclination << ")";
 }
@@ -60,7 +60,7 @@ std::vector<ExtremeCable> extremeCables(int count) {
     c.inclination = M_PI * (shares[kInclination][i] - 0.5);
     if (vertical) c.inclination = std::copysign(0.5 * M_PI, c.inclination);
     c.x = vertical ? 0.0 : c.chord * std::cos(c.inclination);
-    c.w = vertical ? std::copysign(c.chord, c.inclination) : c.chord * std::sin(c.inclination);
+    c.y = vertical ? std::copysign(c.chord, c.inclination) : c.chord * std::sin(c.inclination);
     c.force = logarithmic(1e-3, 1e7, shares[kForce][i]);
     c.strain = logarithmic(1e-7, 5e-2, shares[kStrain][i]);
     c.layers = logarithmic(1e-2, 1e6, shares[kLayers][i]);

@@ -12,7 +12,7 @@ namespace cdpr_kinetostatics {
 struct ExtremeCable {
   CableProperties cable;
   double length = 0.0;       // [m]
-  double x = 0.0, w = 0.0;   // end B [m]
+  double x = 0.0, y = 0.0;   // end B [m]
   double chord = 0.0;        // [m]
   double inclination = 0.0;  // of the chord [rad]
   bool taut = false;         // chord > length; else slack

@@ -40,7 +40,7 @@ std::vector<GoldenCable> goldenCables(const std::string& directory) {
     golden.row = static_cast<int>(result.size()) + 1;
     golden.cable = {value.at("EA"), value.at("EI"), value.at("q")};
     golden.x = value.at("xB");
-    golden.w = value.at("yB");
+    golden.y = value.at("yB");
     golden.length = value.at("L");
     golden.h = value.at("H");
     golden.v = value.at("V");

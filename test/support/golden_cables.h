@@ -12,7 +12,7 @@ namespace cdpr_kinetostatics {
 struct GoldenCable {
   int row = 0;
   CableProperties cable;
-  double x = 0.0, w = 0.0, length = 0.0;
+  double x = 0.0, y = 0.0, length = 0.0;
   double h = 0.0, v = 0.0, tension_a = 0.0;
   double angle_a = 0.0, angle_b = 0.0;
   double catenary_h = 0.0, catenary_v = 0.0;

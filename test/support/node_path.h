@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/ros/estimate_message.h"
-#include "cdpr_kinetostatics/ros/estimator_status.h"
-#include "cdpr_kinetostatics/ros/markers.h"
-#include "cdpr_kinetostatics/ros/measurement_input.h"
 #include "robot_cases.h"
+#include "ros/estimate_message.h"
+#include "ros/estimator_status.h"
+#include "ros/markers.h"
+#include "ros/measurement_input.h"
 
 namespace cdpr_kinetostatics {
 

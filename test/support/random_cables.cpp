@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <optional>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cable/catenary.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -20,11 +20,11 @@ double uniform(std::mt19937* generator, double low, double high) {
 
 }  // namespace
 
-double CableCase::chord() const { return std::hypot(x, w); }
+double CableCase::chord() const { return std::hypot(x, y); }
 
 std::ostream& operator<<(std::ostream& out, const CableCase& c) {
   return out << std::setprecision(17) << "EA " << c.cable.axial_stiffness << ", EI " << c.cable.bending_stiffness
-             << ", q " << c.cable.weight << ", L " << c.length << ", x " << c.x << ", w " << c.w << " (L/chord "
+             << ", q " << c.cable.weight << ", L " << c.length << ", x " << c.x << ", y " << c.y << " (L/chord "
              << std::setprecision(6) << c.length / c.chord() << ", kappa L " << c.layers << ")";
 }
 
@@ -38,7 +38,7 @@ CableCase RandomCables::next() {
     const double chord = logUniform(shortest_chord, longest_chord);
     const double inclination = uniform(&generator_, -steepest, steepest);
     c.x = chord * std::cos(inclination);
-    c.w = chord * std::sin(inclination);
+    c.y = chord * std::sin(inclination);
     c.cable.weight = logUniform(0.05, 50.0);
     const double strain = logUniform(least_strain, largest_strain);
     const double load = logUniform(0.5, 1e4);  // tension over weight, of a taut cable
@@ -52,7 +52,7 @@ CableCase RandomCables::next() {
       c.cable.axial_stiffness = c.cable.weight * chord / strain;
       c.length = chord * (1.0 + excess);
     }
-    const std::optional<ForcesAtA> forces = catenaryForces(c.cable, c.length, c.x, c.w);
+    const std::optional<ForcesAtA> forces = catenaryForces(c.cable, c.length, c.x, c.y);
     if (!forces) continue;
     const double tension = std::hypot(forces->horizontal, forces->vertical);
     c.cable.bending_stiffness = tension * std::pow(c.length / c.layers, 2);

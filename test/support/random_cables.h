@@ -8,12 +8,12 @@
 
 namespace cdpr_kinetostatics {
 
-// A cable of unstrained length `length` between A = (0, 0) and B = (x, w).
+// A cable of unstrained length `length` between A = (0, 0) and B = (x, y).
 struct CableCase {
   CableProperties cable;
   double length = 0.0;
   double x = 0.0;
-  double w = 0.0;
+  double y = 0.0;
   double layers = 0.0;  // kappa L, with the tension at A of the catenary
 
   double chord() const;

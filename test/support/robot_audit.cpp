@@ -76,7 +76,7 @@ RobotAudit audit(const RobotDescription& robot, const Wrench& external, const Ro
       options.tolerance = 1e-11;
       const CableSolution position =
           findPosition(description.properties, cable.length, forces.back().h, forces.back().v, options);
-      end << position.x, position.w;
+      end << position.x, position.y;
       if (!position.status.ok()) end.setConstant(std::numeric_limits<double>::infinity());
     }
     result.closure = std::max(result.closure, (end - b).norm());
@@ -101,12 +101,12 @@ double largestProfileDefect(const RobotDescription& robot, const RobotSolution& 
       const ProfilePoint& to = cable.profile[k + 1];
       const CableState<double> end =
           integrateCable<double>(properties, cable.horizontal_force, cable.vertical_force_a, from.s, to.s,
-                                 {from.alpha, from.moment, from.x, from.w}, steps);
-      largest = std::max(largest, std::hypot(end[2] - to.x, end[3] - to.w));
+                                 {from.alpha, from.moment, from.x, from.y}, steps);
+      largest = std::max(largest, std::hypot(end[2] - to.x, end[3] - to.y));
     }
     const Eigen::Vector3d to_b = attachmentInWorld(solution.pose, robot.cables[i].attachment) - robot.cables[i].anchor;
     const ProfilePoint& last = cable.profile.back();
-    largest = std::max(largest, std::hypot(last.x - std::hypot(to_b.x(), to_b.y()), last.w - to_b.z()));
+    largest = std::max(largest, std::hypot(last.x - std::hypot(to_b.x(), to_b.y()), last.y - to_b.z()));
   }
   return largest;
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cdpr_kinetostatics/robot/platform_statics.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
 #include "finite_solution.h"
+#include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
+#include "cable/catenary.h"
 
 namespace cdpr_kinetostatics {
 

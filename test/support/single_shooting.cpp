@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "cdpr_kinetostatics/cable/catenary.h"
-#include "cdpr_kinetostatics/cable/shot.h"
+#include "cable/catenary.h"
+#include "cable/shot.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -16,10 +16,10 @@ constexpr int kMaxIterations = 40;
 
 }  // namespace
 
-SingleShooting shootSingly(const CableProperties& cable, double length, double x, double w, double tolerance) {
+SingleShooting shootSingly(const CableProperties& cable, double length, double x, double y, double tolerance) {
   SingleShooting result;
-  const double chord = std::hypot(x, w);
-  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, w);
+  const double chord = std::hypot(x, y);
+  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, y);
   const ForcesAtA start = catenary.value_or(ForcesAtA{0.0, 0.5 * cable.weight * length});
   const double force = std::max({std::hypot(start.horizontal, start.vertical),
                                  std::hypot(start.horizontal, start.vertical - cable.weight * length),
@@ -27,11 +27,11 @@ SingleShooting shootSingly(const CableProperties& cable, double length, double x
   const double layer = std::sqrt(cable.bending_stiffness / force);
   const double span = length / layer;
   ShotParameters p{0.0, 0.0, cable.weight * layer / force, force / cable.axial_stiffness};
-  const Eigen::Vector2d end = Eigen::Vector2d(x, w) / length;
+  const Eigen::Vector2d end = Eigen::Vector2d(x, y) / length;
 
   Eigen::Vector3d unknown(catenaryAngle(cable, start.horizontal, start.vertical, 0.0), start.horizontal / force,
                           start.vertical / force);
-  if (start.horizontal == 0.0) unknown[0] = std::atan2(w, x == 0.0 ? 1e-3 * chord : x);
+  if (start.horizontal == 0.0) unknown[0] = std::atan2(y, x == 0.0 ? 1e-3 * chord : x);
   Eigen::Matrix3d jacobian;
   const auto residual = [&](const Eigen::Vector3d& u) -> std::optional<Eigen::Vector3d> {
     p.h = u[1];
@@ -44,7 +44,7 @@ SingleShooting shootSingly(const CableProperties& cable, double length, double x
       jacobian.row(row) << shot.sensitivity(row + 1, 0), shot.sensitivity(row + 1, 2), shot.sensitivity(row + 1, 3);
       if (row > 0) jacobian.row(row) /= span;
     }
-    return Eigen::Vector3d(shot.end.moment, shot.end.x / span - end.x(), shot.end.w / span - end.y());
+    return Eigen::Vector3d(shot.end.moment, shot.end.x / span - end.x(), shot.end.y / span - end.y());
   };
   for (int i = 0; i < kMaxIterations; ++i) {
     result.iterations = i + 1;

@@ -13,6 +13,6 @@ struct SingleShooting {
   int iterations = 0;
 };
 
-SingleShooting shootSingly(const CableProperties& cable, double length, double x, double w, double tolerance);
+SingleShooting shootSingly(const CableProperties& cable, double length, double x, double y, double tolerance);
 
 }  // namespace cdpr_kinetostatics

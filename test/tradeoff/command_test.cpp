@@ -152,8 +152,8 @@ TEST_F(QuickRun, RecommendsTheFastestThatIsGoodEnough) {
 
 TEST_F(QuickRun, IsDrawn) {
   const std::string pictures = testing::TempDir() + "tradeoff_test_pictures";
-  const Reply drawn =
-      replyOf("/usr/bin/python3 " SOURCE_DIR "/scripts/plot_tradeoff.py " + kJsonFile + " --images " + pictures);
+  const Reply drawn = replyOf("/usr/bin/python3 " SOURCE_DIR "/scripts/studies/plot_tradeoff.py " + kJsonFile +
+                              " --images " + pictures);
   EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
   for (const char* problem : {"forward", "inverse", "estimate", "cable"}) {
     EXPECT_EQ(contentOf(pictures + "/trade_" + problem + ".png").substr(1, 3), "PNG") << problem;
@@ -174,8 +174,8 @@ TEST(WithoutFlexuralRigidity, IsMeasuredAndDrawn) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(run.output.find("kappa L"), std::string::npos) << run.output;
   EXPECT_TRUE(json::parse(contentOf(json_file))["robots"][0]["kappa_length"].is_null());
-  const Reply drawn = replyOf("/usr/bin/python3 " SOURCE_DIR "/scripts/plot_tradeoff.py " + json_file + " --images " +
-                              testing::TempDir() + "tradeoff_test_limp");
+  const Reply drawn = replyOf("/usr/bin/python3 " SOURCE_DIR "/scripts/studies/plot_tradeoff.py " + json_file +
+                              " --images " + testing::TempDir() + "tradeoff_test_limp");
   EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
 }
 

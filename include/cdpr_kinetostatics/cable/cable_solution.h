@@ -1,6 +1,6 @@
 // The answer to one of a cable's three problems, with its own evidence.
 //
-// Frame: the cable's vertical plane, A at the origin, x horizontal towards B, w upward; conventions
+// Frame: the cable's vertical plane, A at the origin, x horizontal towards B, y upward; conventions
 // of docs/conventions.md. The force at A is (H, V); the cable pulls its end B with (-H, V - q L).
 #pragma once
 
@@ -15,7 +15,7 @@ namespace cdpr_kinetostatics {
 struct ProfilePoint {
   double s = 0.0;        // unstrained arc length from A [m]
   double x = 0.0;        // [m]
-  double w = 0.0;        // [m]
+  double y = 0.0;        // [m]
   double alpha = 0.0;    // slope angle [rad]
   double moment = 0.0;   // M [N m]
   double tension = 0.0;  // tangential force T_alpha [N]
@@ -29,7 +29,7 @@ struct CableSolution {
   double length = 0.0;            // L, unstrained [m]
   double strained_length = 0.0;   // [m]
   double x = 0.0;                 // end B [m]
-  double w = 0.0;                 // end B [m]
+  double y = 0.0;                 // end B [m]
   double horizontal_force = 0.0;  // H [N]
   double vertical_force_a = 0.0;  // V [N]
   double tension_a = 0.0;         // hypot(H, V) [N]
@@ -40,9 +40,9 @@ struct CableSolution {
   double max_moment = 0.0;        // largest |M| [N m]
   double max_shear = 0.0;         // largest |S| [N]
 
-  // d(x, w)/d(H, V, L) of the end point, at equilibrium.
+  // d(x, y)/d(H, V, L) of the end point, at equilibrium.
   Eigen::Matrix<double, 2, 3> end_jacobian = Eigen::Matrix<double, 2, 3>::Zero();
-  // d(H, V)/d(x, w, L) of the forces; zero where forces do not follow from the geometry (STRAIGHT).
+  // d(H, V)/d(x, y, L) of the forces; zero where forces do not follow from the geometry (STRAIGHT).
   Eigen::Matrix<double, 2, 3> force_jacobian = Eigen::Matrix<double, 2, 3>::Zero();
 
   double closure_residual = 0.0;  // distance of the computed end from the asked one [m]

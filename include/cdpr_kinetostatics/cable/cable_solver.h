@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
@@ -22,8 +23,8 @@ struct CableSolverOptions {
   // tolerance times the tension.
   double tolerance = 1e-8;
 
-  // The solve stops with TIMED_OUT when this moment has passed.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  // The solve stops with TIMED_OUT when it has taken longer than this [s].
+  std::chrono::duration<double> timeout{std::numeric_limits<double>::infinity()};
 
   int profile_points = 0;  // 0, or at least 2
 };
@@ -35,14 +36,14 @@ Status checkModel(Model model);
 CableSolution findPosition(const CableProperties& cable, double length, double horizontal_force,
                            double vertical_force_a, const CableSolverOptions& options);
 
-// Problem 2: which forces hold the end B at (x, w), x >= 0 [m]?
-CableSolution findForces(const CableProperties& cable, double length, double x, double w,
+// Problem 2: which forces hold the end B at (x, y), x >= 0 [m]?
+CableSolution findForces(const CableProperties& cable, double length, double x, double y,
                          const CableSolverOptions& options);
 
-// Problem 3: how long is the cable that has tension_a [N] at A and its end B at (x, w)? Several
+// Problem 3: how long is the cable that has tension_a [N] at A and its end B at (x, y)? Several
 // lengths may answer: the one nearest to length_hint [m] if that is positive, else the shortest.
 // INFEASIBLE below the least tension that can hold the cable; the message states it.
-CableSolution findLength(const CableProperties& cable, double x, double w, double tension_a, double length_hint,
+CableSolution findLength(const CableProperties& cable, double x, double y, double tension_a, double length_hint,
                          const CableSolverOptions& options);
 
 }  // namespace cdpr_kinetostatics

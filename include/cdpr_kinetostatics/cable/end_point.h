@@ -6,8 +6,8 @@
 namespace cdpr_kinetostatics {
 
 struct EndPoint {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();                          // (x, w) [m]
-  Eigen::Matrix<double, 2, 3> jacobian = Eigen::Matrix<double, 2, 3>::Zero();  // d(x, w)/d(H, V, L)
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();                          // (x, y) [m]
+  Eigen::Matrix<double, 2, 3> jacobian = Eigen::Matrix<double, 2, 3>::Zero();  // d(x, y)/d(H, V, L)
 };
 
 }  // namespace cdpr_kinetostatics

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "cdpr_kinetostatics/robot/basin_search.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
+#include "robot/basin_search.h"
 
 namespace cdpr_kinetostatics {
 

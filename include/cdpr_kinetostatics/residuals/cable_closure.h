@@ -20,11 +20,11 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "cdpr_kinetostatics/cable/bending.h"
+#include "cable/bending.h"
+#include "cable/multiple_shooting.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
 #include "cdpr_kinetostatics/cable/model.h"
-#include "cdpr_kinetostatics/cable/multiple_shooting.h"
 
 namespace cdpr_kinetostatics {
 
@@ -47,7 +47,7 @@ class CableClosure : public ceres::SizedCostFunction<2, 3, 4, 2, 1> {
 // The block of a rung of the ladder; options are those of the bending rungs, which refuse after the deadline.
 std::unique_ptr<CableClosure> makeClosure(Model model, const CableProperties& cable, const Eigen::Vector3d& anchor,
                                           const Eigen::Vector3d& attachment, double length_scale,
-                                          const BendingOptions& options);
+                                          const SolveLimits& options);
 
 // The straight line with half the cable's weight at each end; an infinite axial stiffness is the inextensible
 // one. Not for slack cables.
@@ -80,13 +80,13 @@ class CatenaryClosure : public CableClosure {
 class BendingClosure : public CableClosure {
  public:
   BendingClosure(const CableProperties& cable, const Eigen::Vector3d& anchor, const Eigen::Vector3d& attachment,
-                 double length_scale, const BendingOptions& options);
+                 double length_scale, const SolveLimits& options);
 
  private:
   bool endPoint(double horizontal_force, double vertical_force_a, double length, EndPoint* end) const override;
 
   const CableProperties cable_;
-  const BendingOptions options_;
+  const SolveLimits options_;
   mutable MultipleShooting shooting_;
   mutable bool started_ = false;
 };

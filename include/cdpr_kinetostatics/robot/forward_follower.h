@@ -16,9 +16,9 @@
 #include <limits>
 #include <vector>
 
-#include "cdpr_kinetostatics/robot/coupled_newton.h"
 #include "cdpr_kinetostatics/robot/forward.h"
-#include "cdpr_kinetostatics/robot/rung_choice.h"
+#include "robot/coupled_newton.h"
+#include "robot/rung_choice.h"
 
 namespace cdpr_kinetostatics {
 

@@ -11,7 +11,7 @@
 
 #include <memory>
 
-#include "cdpr_kinetostatics/cable/sagging_cable.h"
+#include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 
 namespace cdpr_kinetostatics {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_properties.h"
-#include "cdpr_kinetostatics/robot/pose.h"
+#include "cdpr_kinetostatics/geometry/pose.h"
 
 namespace cdpr_kinetostatics {
 
@@ -39,6 +39,10 @@ struct RobotDescription {
   double span() const;
   // Largest distance of an attachment from the platform origin [m]; 0 for a point mass.
   double platformRadius() const;
+  // What turns moments into forces, and rotations into displacements, of comparable size [m]: the platform's radius,
+  // but a point of attachment at the origin leaves a millionth of the span, so that moments never drop out of a
+  // balance.
+  double lever() const;
 };
 
 }  // namespace cdpr_kinetostatics

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_solution.h"
-#include "cdpr_kinetostatics/robot/pose.h"
+#include "cdpr_kinetostatics/geometry/pose.h"
 
 namespace cdpr_kinetostatics {
 

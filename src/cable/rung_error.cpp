@@ -1,0 +1,119 @@
+#include "cable/rung_error.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cable/bending_expansion.h"
+#include "cable/cable_evaluation.h"
+#include "cable/catenary.h"
+#include "cable/straight.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// Forces that change by more than this share do not change in proportion to what changes them.
+constexpr double kLinear = 0.1;
+
+double withoutRounding(double h, double v) { return ForcesAtA{h, v}.push() ? h : std::max(h, 0.0); }
+
+// The catenary needs a tension all along the cable.
+bool hangs(const CableProperties& cable, double length, double h, double v) {
+  return h > 0.0 || (h == 0.0 && (v < 0.0 || v > cable.weight * length));
+}
+
+Eigen::Matrix2d inverseOrZero(const Eigen::Matrix2d& compliance) {
+  const Eigen::Matrix2d inverse = compliance.inverse();
+  return inverse.allFinite() ? inverse : Eigen::Matrix2d::Zero();
+}
+
+// An error of the end by `end` at given forces, of a cable of that tension and stiffness.
+RungError errorOf(const Eigen::Vector2d& end, const Eigen::Matrix2d& stiffness, bool known, double tension,
+                  double length) {
+  RungError error{end, -stiffness * end, stiffness, known};
+  error.known = known && error.force.norm() <= kLinear * tension;
+  if (!end.allFinite()) return {{length, 0.0}, Eigen::Vector2d::Zero(), stiffness, false};
+  const double share = end.norm() / length;
+  if (share <= 1.0) return error;
+  error.end /= share;  // no end moves by more than the cable is long
+  error.force /= share;
+  error.known = false;
+  return error;
+}
+
+// A line that stretches, or is slack, between given ends, against the cable that hangs there.
+RungError lineBetweenEnds(const CableProperties& cable, const CableSolution& line) {
+  const bool formless = cable.weight == 0.0 && cable.bending_stiffness == 0.0;
+  if (formless && std::hypot(line.x, line.y) <= line.length) {
+    return errorOf(Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), true, 0.0, line.length);
+  }
+  const std::optional<ForcesAtA> catenary = catenaryForces(cable, line.length, line.x, line.y);
+  if (!catenary) return {{line.length, 0.0}, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), false};
+  const EndPoint end = catenaryEnd(cable, catenary->horizontal, catenary->vertical, line.length);
+  const Eigen::Matrix2d compliance = end.jacobian.leftCols<2>();
+  const BendingExpansion bending = bendingExpansion(cable, catenary->horizontal, catenary->vertical, line.length);
+  const Eigen::Vector2d force(catenary->horizontal - line.horizontal_force, catenary->vertical - line.vertical_force_a);
+  return errorOf(bending.end - compliance * force, inverseOrZero(compliance), bending.trusted,
+                 std::hypot(catenary->horizontal, catenary->vertical), line.length);
+}
+
+}  // namespace
+
+RungError rungError(const CableProperties& cable, const CableSolution& solution) {
+  const Model model = solution.model;
+  const double v = solution.vertical_force_a;
+  const double h = withoutRounding(solution.horizontal_force, v);
+  const double length = solution.length;
+  CableProperties stretching = cable;
+  if (!(cable.axial_stiffness > 0.0)) stretching.axial_stiffness = std::numeric_limits<double>::infinity();
+  if (model == Model::kBending) {
+    return errorOf(Eigen::Vector2d::Zero(), solution.force_jacobian.leftCols<2>(), true, solution.tension_a, length);
+  }
+  if (model == Model::kStraightElastic) return lineBetweenEnds(stretching, solution);
+  if (!hangs(stretching, length, h, v)) {
+    const double strain = solution.tension_a / stretching.axial_stiffness;
+    return errorOf(strain * Eigen::Vector2d(solution.x, solution.y), solution.force_jacobian.leftCols<2>(),
+                   isBending(model), solution.tension_a, length);
+  }
+  const EndPoint catenary = catenaryEnd(stretching, h, v, length);
+  const CableProperties seen = asSeenBy(model, stretching);
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();
+  if (isStraight(model)) {
+    end = catenary.position - straightEnd(seen, h, v, length).position;
+  } else if (isInextensible(model)) {
+    end = catenary.position - catenaryEnd(seen, h, v, length).position;
+  }
+  bool known = true;
+  if (!isBending(model)) {
+    const BendingExpansion bending = bendingExpansion(stretching, h, v, length);
+    end += model == Model::kCatenaryCorrected ? bending.beyond_first : bending.end;
+    known = bending.trusted;
+  }
+  return errorOf(end, inverseOrZero(catenary.jacobian.leftCols<2>()), known, solution.tension_a, length);
+}
+
+RungErrors rungErrors(const CableProperties& cable, double length, double horizontal_force, double v) {
+  RungErrors errors;
+  const double h = withoutRounding(horizontal_force, v);
+  if (!hangs(cable, length, h, v)) {
+    for (RungError& error : errors) error.known = false;
+    errors.back().known = true;
+    return errors;
+  }
+  const EndPoint catenary = catenaryEnd(cable, h, v, length);
+  const Eigen::Matrix2d compliance = catenary.jacobian.leftCols<2>();
+  const Eigen::Matrix2d stiffness = inverseOrZero(compliance);
+  const BendingExpansion bending = bendingExpansion(cable, h, v, length);
+  const ForcesAtA line = straightForces(cable, length, catenary.position.x(), catenary.position.y());
+  const Eigen::Vector2d off_line = compliance * Eigen::Vector2d(line.horizontal - h, line.vertical - v);
+  const std::array<Eigen::Vector2d, kAutoRungCount> ends = {bending.end + off_line, bending.end, bending.beyond_first,
+                                                            Eigen::Vector2d::Zero()};
+  for (std::size_t r = 0; r < ends.size(); ++r) {
+    errors[r] =
+        errorOf(ends[r], stiffness, bending.trusted || kAutoRungs[r] == Model::kBending, std::hypot(h, v), length);
+  }
+  return errors;
+}
+
+}  // namespace cdpr_kinetostatics

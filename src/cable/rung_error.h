@@ -1,0 +1,41 @@
+// What a rung of the ladder leaves out, for one cable: the estimate behind every estimated_error and behind AUTO.
+//
+// The estimate is that of the finest rung, BENDING, to leading order: at the same forces at A and the same
+// unstrained length its end lies elsewhere by `end`; held at the same end, its forces differ by `force`. It
+// costs about a microsecond. Conventions of docs/conventions.md; docs/theory.md section 4.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+#include "cdpr_kinetostatics/cable/cable_solution.h"
+#include "cdpr_kinetostatics/cable/model.h"
+
+namespace cdpr_kinetostatics {
+
+struct RungError {
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();        // (x, y) [m]
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();      // (H, V) [N]
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // d(H, V)/d(x, y) of the cable that hangs there [N/m]
+  // False where the estimate is an order of magnitude at best: few bending layers in the length, sharp slack
+  // bends, compression.
+  bool known = true;
+};
+
+// The rungs that AUTO chooses from, coarsest first. Those without stretch cost as much as those with it.
+constexpr int kAutoRungCount = 4;
+constexpr std::array<Model, kAutoRungCount> kAutoRungs = {Model::kStraightElastic, Model::kCatenary,
+                                                          Model::kCatenaryCorrected, Model::kBending};
+
+// AUTO lets a rung's estimated error take this share of the accuracy asked for: estimates are to leading order.
+constexpr double kAutoShare = 0.5;
+
+// Of a solved cable; EA and EI are those of the description, whatever the solution's rung saw of them.
+RungError rungError(const CableProperties& cable, const CableSolution& solution);
+
+// Of every rung that AUTO chooses from, at the forces of a catenary. Only BENDING is known unless H > 0.
+using RungErrors = std::array<RungError, kAutoRungCount>;
+RungErrors rungErrors(const CableProperties& cable, double length, double horizontal_force, double vertical_force_a);
+
+}  // namespace cdpr_kinetostatics

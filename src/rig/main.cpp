@@ -1,0 +1,25 @@
+#include <ros/ros.h>
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "rig/rig_parameters.h"
+#include "rig/rig_simulator.h"
+
+int main(int argc, char** argv) {
+  setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what the node says appears at once, in a pipe too
+  ros::init(argc, argv, "rig_simulator");
+  const ros::NodeHandle handle;
+  const ros::NodeHandle private_handle("~");
+  try {
+    XmlRpc::XmlRpcValue values;
+    private_handle.getParam(private_handle.getNamespace(), values);
+    const cdpr_kinetostatics::LoadedRigParameters loaded = cdpr_kinetostatics::loadRigParameters(values);
+    for (const std::string& warning : loaded.warnings) ROS_WARN_STREAM(warning);
+    cdpr_kinetostatics::RigSimulator(handle, private_handle, loaded.parameters).run();
+  } catch (const std::invalid_argument& problem) {
+    ROS_FATAL_STREAM(problem.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,32 @@
+// From a rough seed to the reach of Newton's method.
+//
+// First the platform descends on straight springs to the stable pose near the seed; then Ceres' trust region
+// joins the sagging cables' closure and equilibrium residuals.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "cable/catenary.h"
+#include "cdpr_kinetostatics/cable/model.h"
+#include "cdpr_kinetostatics/cable/report.h"
+#include "cdpr_kinetostatics/robot/robot_description.h"
+
+namespace cdpr_kinetostatics {
+
+struct RobotForces {
+  Pose pose;
+  std::vector<double> lengths;    // [m]
+  std::vector<ForcesAtA> forces;  // of each cable
+};
+
+// Moves start->pose, the seed, to the stable pose on springs; forces are those of the catenary where a cable is
+// slack there, and a moderate tension where it is stretched.
+Status roughStart(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                  std::chrono::steady_clock::time_point deadline, RobotForces* start, int* iterations);
+
+// From state to the solution to about 1e-6, with the residual blocks of model, a catenary or a bending rung.
+Status searchBasin(const RobotDescription& robot, const Wrench& external, Model model, double tolerance,
+                   std::chrono::steady_clock::time_point deadline, RobotForces* state, int* iterations);
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,20 @@
+// The residual blocks of a robot: from its description to the blocks of residuals/.
+#pragma once
+
+#include <memory>
+
+#include "cdpr_kinetostatics/cable/model.h"
+#include "cdpr_kinetostatics/residuals/cable_closure.h"
+#include "cdpr_kinetostatics/residuals/platform_equilibrium.h"
+#include "cdpr_kinetostatics/robot/robot_description.h"
+
+namespace cdpr_kinetostatics {
+
+// weight multiplies the unbalanced wrench [1/N, 1/(N m)].
+std::unique_ptr<PlatformEquilibrium> equilibriumBlock(const RobotDescription& robot, const Wrench& external,
+                                                      const Wrench& weight);
+
+std::unique_ptr<CableClosure> closureBlock(const CableDescription& cable, Model model, double length_scale,
+                                           const SolveLimits& options);
+
+}  // namespace cdpr_kinetostatics

@@ -1,0 +1,30 @@
+// The node: its parameters, the services that answer from them, and the estimator.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+
+#include <vector>
+
+#include "ros/diagnostics.h"
+#include "ros/estimator_loop.h"
+#include "ros/parameters.h"
+
+namespace cdpr_kinetostatics {
+
+// The three kinetostatic services do not share anything but the constant parameters: they may run in any number of
+// threads. The estimator has threads of its own.
+class KinetostaticsNode {
+ public:
+  // Throws std::invalid_argument if the parameters are wrong. Topics are those of `handle`.
+  KinetostaticsNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+
+ private:
+  ros::NodeHandle private_handle_;
+  NodeParameters parameters_;
+  EstimatorLoop loop_;
+  Diagnostics diagnostics_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace cdpr_kinetostatics

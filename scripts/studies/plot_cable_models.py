@@ -56,7 +56,7 @@ def main():
         excess = [1e-4 * 10 ** (0.01 * k) for k in range(421)]
         force = [solve(service, model, 1 + x).tension_a for x in excess]
         tensions.loglog(excess, force, color=color, label=name)
-    shapes.set(xlabel="x [m]", ylabel="w [m]", aspect="equal")
+    shapes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     shapes.set_title("L/chord = " + ", ".join(str(r) for r in RATIOS))
     shapes.legend()
     tensions.axhline(220, color="gray", linewidth=0.8, linestyle="--")

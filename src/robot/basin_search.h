@@ -7,18 +7,12 @@
 #include <chrono>
 #include <vector>
 
-#include "cable/catenary.h"
 #include "cdpr_kinetostatics/cable/model.h"
 #include "cdpr_kinetostatics/cable/report.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
+#include "robot/robot_forces.h"
 
 namespace cdpr_kinetostatics {
-
-struct RobotForces {
-  Pose pose;
-  std::vector<double> lengths;    // [m]
-  std::vector<ForcesAtA> forces;  // of each cable
-};
 
 // Moves start->pose, the seed, to the stable pose on springs; forces are those of the catenary where a cable is
 // slack there, and a moderate tension where it is stretched.

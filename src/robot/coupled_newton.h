@@ -11,8 +11,8 @@
 #include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
-#include "robot/basin_search.h"
 #include "robot/platform_statics.h"
+#include "robot/robot_forces.h"
 
 namespace cdpr_kinetostatics {
 

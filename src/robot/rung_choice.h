@@ -10,7 +10,7 @@
 
 #include "cable/rung_error.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
-#include "robot/basin_search.h"
+#include "robot/robot_forces.h"
 
 namespace cdpr_kinetostatics {
 

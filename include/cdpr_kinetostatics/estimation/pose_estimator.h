@@ -18,7 +18,7 @@
 
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
-#include "robot/basin_search.h"
+#include "robot/robot_forces.h"
 
 namespace cdpr_kinetostatics {
 

@@ -4,17 +4,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "estimation/adjustment_statistics.h"
+#include "residuals/platform_measurements.h"
 #include "robot/coupled_newton.h"
 #include "robot/platform_statics.h"
+#include "robot/residual_blocks.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+// A warm adjustment takes 2 to 5 iterations, a cold one some 20.
 constexpr int kMaxIterations = 100;
 
-// The selected measurements, in the order of the cost's residuals.
+// The least-squares problem is dimensionless and nearly linear: the first step is hardly damped, and the sum of squares
+// has settled when it changes by less than this share, or the unknowns by less than that.
+constexpr double kInitialTrustRegion = 1e8;
+constexpr double kSettledSquares = 1e-14;
+constexpr double kSettledUnknowns = 1e-10;
+
+// The clock's limit for Ceres, which counts seconds as a double [s].
+constexpr double kLongestTime = 1e6;
+
+std::unique_ptr<PlatformMeasurements> measurementsBlock(const RobotDescription& robot, const EstimatorOptions& options,
+                                                        const CableMeasurements& measurements,
+                                                        const Selection& selection, const std::vector<Model>& rungs,
+                                                        const RobotForces& start) {
+  using Measured = PlatformMeasurements::Measured;
+  std::vector<PlatformMeasurements::Cable> cables;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CableDescription& cable = robot.cables[i];
+    SaggingCable shape(cable.properties, rungs[i], options.tolerance);
+    shape.start(start.lengths[i], start.forces[i]);
+    cables.push_back({cable.anchor, cable.attachment, std::move(shape), {}, {}});
+    if (selection.lengths[i]) cables.back().length = Measured{*measurements.lengths[i], options.length_stddev};
+    if (selection.tensions[i]) cables.back().tension = Measured{*measurements.tensions[i], options.tension_stddev};
+  }
+  const Wrench load_weight = (selection.load.cast<double>() / options.load_stddev.array()).matrix();
+  return std::make_unique<PlatformMeasurements>(platformOf(robot, Wrench::Zero()), cables, load_weight,
+                                                options.tolerance);
+}
+
+// The selected measurements, in the order of the block's residuals.
 std::vector<Observation> observationsOf(const RobotDescription& robot, const Selection& selection) {
   std::vector<Observation> observations;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
@@ -37,83 +72,111 @@ Eigen::MatrixXd dense(const ceres::CRSMatrix& sparse) {
   return matrix;
 }
 
+// The unknowns of an adjustment, and the Ceres problem that they are parameters of.
+class Adjustment {
+ public:
+  Adjustment(const RobotDescription& robot, std::unique_ptr<PlatformMeasurements> block, const RobotForces& start)
+      : robot_(robot),
+        block_(block.get()),
+        position_(start.pose.position),
+        orientation_(start.pose.orientation),
+        rigid_(robot.type == PlatformType::kRigidBody) {
+    for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+      const CablePlane plane = cablePlane(robot.cables[i], start.pose);
+      densities_.push_back(start.forces[i].horizontal / distanceBeside(plane.x, start.lengths[i]));
+    }
+    problem_.AddResidualBlock(block.release(), nullptr, position_.data(), orientation_.coeffs().data(),
+                              densities_.data());
+    if (rigid_) {
+      problem_.SetManifold(orientation_.coeffs().data(), new ceres::EigenQuaternionManifold);
+    } else {
+      problem_.SetParameterBlockConstant(orientation_.coeffs().data());
+    }
+  }
+
+  Status solve(Clock::time_point deadline, int* iterations) {
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;
+    options.max_num_iterations = kMaxIterations;
+    options.initial_trust_region_radius = kInitialTrustRegion;
+    options.function_tolerance = kSettledSquares;
+    options.gradient_tolerance = 0.0;
+    options.parameter_tolerance = kSettledUnknowns;
+    options.max_solver_time_in_seconds =
+        std::clamp(std::chrono::duration<double>(deadline - Clock::now()).count(), 0.0, kLongestTime);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem_, &summary);
+    *iterations = static_cast<int>(summary.iterations.size());
+    if (summary.IsSolutionUsable() && summary.termination_type != ceres::NO_CONVERGENCE) return {Code::kConverged, ""};
+    if (Clock::now() > deadline) return {Code::kTimedOut, "the time allowed ran out while the pose was estimated"};
+    return {Code::kNotConverged,
+            "no pose explains these lengths and tensions: check the robot's description and units"};
+  }
+
+  // Unknowns, residuals and Jacobian at the solution; observations in the order of the residuals. False if the block
+  // cannot be evaluated there.
+  bool read(std::vector<Observation> observations, Adjusted* adjusted) {
+    ceres::Problem::EvaluateOptions at;
+    at.parameter_blocks = {position_.data()};
+    if (rigid_) at.parameter_blocks.push_back(orientation_.coeffs().data());
+    at.parameter_blocks.push_back(densities_.data());
+    std::vector<double> residuals;
+    ceres::CRSMatrix sparse;
+    if (!problem_.Evaluate(at, nullptr, &residuals, nullptr, &sparse)) return false;
+    adjusted->unknowns.pose = {position_, orientation_.normalized()};
+    for (const ClosedCable& closed : block_->cables()) {
+      const SaggingCable& cable = closed.cable();
+      adjusted->unknowns.lengths.push_back(cable.length());
+      adjusted->unknowns.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
+      adjusted->cables.push_back(cable);
+    }
+    adjusted->observations = std::move(observations);
+    for (std::size_t k = 0; k < residuals.size(); ++k) adjusted->observations[k].residual = residuals[k];
+    adjusted->jacobian = dense(sparse);
+    if (rigid_) adjusted->jacobian.middleCols<3>(3) *= 0.5;  // the manifold's tangent is half the rotation vector
+    return true;
+  }
+
+  // Statistics and stability, after read().
+  void judge(Adjusted* adjusted) const {
+    const Eigen::Index freedoms = robot_.freedoms();
+    const LoadBalance balance = block_->loadBalance();
+    Eigen::MatrixXd load(freedoms, adjusted->jacobian.cols());
+    load << balance.by_pose.topLeftCorner(freedoms, freedoms), balance.by_density.topRows(freedoms);
+    analyse(load, adjusted);
+    adjusted->stable = isStable(robot_, block_->stiffness(balance));
+  }
+
+ private:
+  const RobotDescription& robot_;
+  const PlatformMeasurements* block_;  // the problem's own
+  Eigen::Vector3d position_;
+  Eigen::Quaterniond orientation_;
+  std::vector<double> densities_;
+  const bool rigid_;
+  ceres::Problem problem_;
+};
+
 }  // namespace
 
 Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
                 const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start,
-                std::chrono::steady_clock::time_point deadline) {
+                Clock::time_point deadline) {
   Adjusted adjusted;
-  const double left = std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count();
-  if (left <= 0.0) {
+  if (Clock::now() >= deadline) {
     adjusted.status = {Code::kTimedOut, "the time allowed ran out before the pose was estimated"};
     return adjusted;
   }
-  Eigen::Vector3d position = start.pose.position;
-  Eigen::Quaterniond orientation = start.pose.orientation;
-  std::vector<double> densities;
-  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CablePlane plane = cablePlane(robot.cables[i], start.pose);
-    densities.push_back(start.forces[i].horizontal / distanceBeside(plane.x, start.lengths[i]));
-  }
-  const bool rigid = robot.type == PlatformType::kRigidBody;
-  ceres::Problem problem;
-  auto* cost = new MeasurementCost(robot, options, measurements, selection, rungs, start);
-  problem.AddResidualBlock(cost, nullptr, position.data(), orientation.coeffs().data(), densities.data());
-  if (rigid) {
-    problem.SetManifold(orientation.coeffs().data(), new ceres::EigenQuaternionManifold);
-  } else {
-    problem.SetParameterBlockConstant(orientation.coeffs().data());
-  }
-
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_QR;
-  solver.logging_type = ceres::SILENT;
-  solver.num_threads = 1;
-  solver.max_num_iterations = kMaxIterations;
-  solver.initial_trust_region_radius = 1e8;
-  solver.function_tolerance = 1e-14;
-  solver.gradient_tolerance = 0.0;
-  solver.parameter_tolerance = 1e-10;
-  solver.max_solver_time_in_seconds = std::min(left, 1e6);
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
-  adjusted.iterations = static_cast<int>(summary.iterations.size());
-  if (!summary.IsSolutionUsable() || summary.termination_type == ceres::NO_CONVERGENCE) {
-    const bool late = std::chrono::steady_clock::now() > deadline;
-    adjusted.status = {late ? Code::kTimedOut : Code::kNotConverged,
-                       late ? "the time allowed ran out while the pose was estimated"
-                            : "no pose explains these lengths and tensions: check the robot's description and units"};
-    return adjusted;
-  }
-
-  ceres::Problem::EvaluateOptions evaluate;
-  evaluate.parameter_blocks = {position.data()};
-  if (rigid) evaluate.parameter_blocks.push_back(orientation.coeffs().data());
-  evaluate.parameter_blocks.push_back(densities.data());
-  std::vector<double> residuals;
-  ceres::CRSMatrix sparse;
-  if (!problem.Evaluate(evaluate, nullptr, &residuals, nullptr, &sparse)) {
+  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, start), start);
+  adjusted.status = adjustment.solve(deadline, &adjusted.iterations);
+  if (!adjusted.status.ok()) return adjusted;
+  if (!adjustment.read(observationsOf(robot, selection), &adjusted)) {
     adjusted.status = {Code::kInternalError, "the adjustment could not be evaluated at its own solution"};
     return adjusted;
   }
-  adjusted.status.code = Code::kConverged;
-  adjusted.unknowns.pose = {position, orientation.normalized()};
-  for (const SaggingCable& cable : cost->cables()) {
-    adjusted.unknowns.lengths.push_back(cable.length());
-    adjusted.unknowns.forces.push_back({cable.horizontalForce(), cable.verticalForceA()});
-  }
-  adjusted.cables = cost->cables();
-  adjusted.observations = observationsOf(robot, selection);
-  for (std::size_t k = 0; k < residuals.size(); ++k) adjusted.observations[k].residual = residuals[k];
-  adjusted.jacobian = dense(sparse);
-  Eigen::MatrixXd& jacobian = adjusted.jacobian;
-  if (rigid) jacobian.middleCols<3>(3) *= 0.5;  // the manifold's tangent is half the rotation vector
-  const Eigen::Index freedoms = robot.freedoms();
-  const LoadBalance balance = cost->loadBalance(adjusted.unknowns.pose, densities.data());
-  Eigen::MatrixXd load(freedoms, jacobian.cols());
-  load << balance.by_pose.topLeftCorner(freedoms, freedoms), balance.by_density.topRows(freedoms);
-  analyse(jacobian, load, &adjusted);
-  adjusted.stable = isStable(robot, cost->stiffness(balance));
+  adjustment.judge(&adjusted);
   return adjusted;
 }
 

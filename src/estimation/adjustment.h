@@ -7,11 +7,18 @@
 #include <chrono>
 #include <vector>
 
+#include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/cable/report.h"
 #include "cdpr_kinetostatics/estimation/pose_estimator.h"
-#include "estimation/measurement_cost.h"
+#include "robot/robot_forces.h"
 
 namespace cdpr_kinetostatics {
+
+// Some of the measurements, and components of the known load.
+struct Selection {
+  std::vector<bool> lengths, tensions;  // per cable
+  Eigen::Array<bool, 6, 1> load = Eigen::Array<bool, 6, 1>::Constant(false);
+};
 
 // A measurement in units of its standard deviation.
 struct Observation {

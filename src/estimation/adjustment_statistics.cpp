@@ -14,7 +14,8 @@ constexpr double kOpen = 1e-6;
 
 using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
-void fillRedundancies(const Eigen::MatrixXd& jacobian, const Decomposition& decomposition, Adjusted* adjusted) {
+void fillRedundancies(const Decomposition& decomposition, Adjusted* adjusted) {
+  const Eigen::MatrixXd& jacobian = adjusted->jacobian;
   const Eigen::Index rank = decomposition.rank();
   const Eigen::MatrixXd range = decomposition.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), rank);
   adjusted->redundancy = -static_cast<int>(rank);
@@ -51,14 +52,15 @@ void fillLoadCovariance(const Eigen::MatrixXd& load, const Decomposition& decomp
 
 }  // namespace
 
-void analyse(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& load, Adjusted* adjusted) {
+void analyse(const Eigen::MatrixXd& load, Adjusted* adjusted) {
+  const Eigen::MatrixXd& jacobian = adjusted->jacobian;
   const Eigen::Index freedoms = load.rows();
   const Eigen::VectorXd norms = jacobian.colwise().norm();
   const Eigen::VectorXd inverse_norms = (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
   const Eigen::MatrixXd scaled = jacobian * inverse_norms.asDiagonal();
   Decomposition all(scaled);
   all.setThreshold(kRank);
-  fillRedundancies(jacobian, all, adjusted);
+  fillRedundancies(all, adjusted);
   fillLoadCovariance(load * inverse_norms.asDiagonal(), all, adjusted);
 
   Decomposition cables(scaled.rightCols(jacobian.cols() - freedoms));

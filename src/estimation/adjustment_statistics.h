@@ -5,9 +5,9 @@
 
 namespace cdpr_kinetostatics {
 
-// Fills redundancies, weighted_squares, information and load_covariance, and drops observations of what is not known.
-// jacobian: of all observations by (pose, densities), in units of their standard deviations; load: of the load's
-// components by the same.
-void analyse(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& load, Adjusted* adjusted);
+// From the residuals and the Jacobian of all observations: fills redundancies, weighted_squares, information and
+// load_covariance, and drops observations of what is not known. load: of the load's components by the Jacobian's
+// columns.
+void analyse(const Eigen::MatrixXd& load, Adjusted* adjusted);
 
 }  // namespace cdpr_kinetostatics

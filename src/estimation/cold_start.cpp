@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "robot/basin_search.h"
+#include "robot/platform_statics.h"
+
 namespace cdpr_kinetostatics {
 namespace {
 

@@ -8,6 +8,7 @@
 #include "estimation/estimate_error.h"
 #include "estimation/fault_search.h"
 #include "robot/platform_error.h"
+#include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cable/input_limits.h"
 #include "estimation/cold_start.h"
 #include "estimation/estimate_error.h"
 #include "estimation/estimate_report.h"
@@ -15,9 +16,6 @@ namespace cdpr_kinetostatics {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double kMaxLength = 1e6;    // [m]
-constexpr double kMaxTension = 1e12;  // [N]
 
 Status checkMeasurements(const RobotDescription& robot, const CableMeasurements& measurements) {
   const std::size_t n = robot.cables.size();
@@ -30,9 +28,9 @@ Status checkMeasurements(const RobotDescription& robot, const CableMeasurements&
   for (std::size_t i = 0; i < n; ++i) {
     const double length = measurements.lengths[i].value_or(1.0);
     const double tension = measurements.tensions[i].value_or(1.0);
-    if (length > 0.0 && length <= kMaxLength && std::abs(tension) <= kMaxTension) continue;
+    if (length > 0.0 && length <= kLargestLength && std::abs(tension) <= kLargestForce) continue;
     text << "cable '" << robot.cables[i].name << "': length " << length << " m must be positive and at most "
-         << kMaxLength << " m, tension " << tension << " N within " << kMaxTension << " N of zero";
+         << kLargestLength << " m, tension " << tension << " N within " << kLargestForce << " N of zero";
     return {Code::kInvalidInput, text.str()};
   }
   return {Code::kConverged, ""};
@@ -76,16 +74,38 @@ std::vector<Model> adaptRungs(MeasuredRobot* measured, Candidate* candidate, con
 
 }  // namespace
 
-struct PoseEstimator::Found {
-  Candidate best;
-  int iterations = 0;
-  bool warm_started = false;
+// The estimator's memory: what it found last, and where it looks first.
+class PoseEstimator::Tracker {
+ public:
+  Tracker(const RobotDescription& robot, const EstimatorOptions& options)
+      : robot_(robot), options_(options), seed_(robot.home), near_(robot.home) {}
+
+  Estimate update(const CableMeasurements& measurements);
+  void reset(const Pose& seed);
+
+  const RobotDescription& robot() const { return robot_; }
+
+ private:
+  struct Found {
+    Candidate best;
+    int iterations = 0;
+    bool warm_started = false;
+  };
+
+  Estimate solve(MeasuredRobot* measured);
+  Found find(const MeasuredRobot& measured) const;
+  Found findOnRungs(MeasuredRobot* measured);
+
+  const RobotDescription& robot_;
+  const EstimatorOptions options_;
+  Pose seed_;
+  Pose near_;  // last pose, or the seed
+  std::optional<RobotForces> last_;
+  Selection left_out_;        // by the last estimate
+  std::vector<Model> rungs_;  // AUTO: those in use; empty at first
 };
 
-PoseEstimator::PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options)
-    : robot_(robot), options_(options), seed_(robot.home), near_(robot.home) {}
-
-Estimate PoseEstimator::update(const CableMeasurements& measurements) {
+Estimate PoseEstimator::Tracker::update(const CableMeasurements& measurements) {
   const Clock::time_point begin = Clock::now();
   const Status check = checkMeasurements(robot_, measurements);
   Estimate estimate;
@@ -100,19 +120,8 @@ Estimate PoseEstimator::update(const CableMeasurements& measurements) {
   return estimate;
 }
 
-Estimate PoseEstimator::solve(MeasuredRobot* measured) {
-  const bool choose = options_.model == Model::kAuto;
-  measured->rungs = rungs_;
-  if (rungs_.empty()) measured->rungs.assign(robot_.cables.size(), choose ? Model::kCatenary : options_.model);
-  Found found = find(*measured);
-  if (choose) {
-    rungs_ = adaptRungs(measured, &found.best, rungs_);
-    if (!found.best.adjusted.status.ok()) {
-      rungs_.clear();
-      measured->rungs.assign(robot_.cables.size(), Model::kBending);
-      found = find(*measured);
-    }
-  }
+Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
+  Found found = findOnRungs(measured);
   Status status = found.best.adjusted.status;
   if (Clock::now() > measured->deadline) {
     status = {Code::kTimedOut, "the time allowed ran out before it was certain which pose explains the measurements"};
@@ -133,8 +142,23 @@ Estimate PoseEstimator::solve(MeasuredRobot* measured) {
   return estimate;
 }
 
+// On the model asked for. AUTO starts on those of the last estimate, or on catenaries, and goes on to what the
+// measurements need; where that finds no pose, every cable bends.
+PoseEstimator::Tracker::Found PoseEstimator::Tracker::findOnRungs(MeasuredRobot* measured) {
+  const bool choose = options_.model == Model::kAuto;
+  measured->rungs = rungs_;
+  if (rungs_.empty()) measured->rungs.assign(robot_.cables.size(), choose ? Model::kCatenary : options_.model);
+  Found found = find(*measured);
+  if (!choose) return found;
+  rungs_ = adaptRungs(measured, &found.best, rungs_);
+  if (found.best.adjusted.status.ok()) return found;
+  rungs_.clear();
+  measured->rungs.assign(robot_.cables.size(), Model::kBending);
+  return find(*measured);
+}
+
 // From the last estimate if there is one; from its pose, then from the seed, if there is none or if it has misled.
-PoseEstimator::Found PoseEstimator::find(const MeasuredRobot& measured) const {
+PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(const MeasuredRobot& measured) const {
   Found found;
   if (last_) {
     found.best = adjustFrom(measured, *last_, left_out_);
@@ -153,12 +177,21 @@ PoseEstimator::Found PoseEstimator::find(const MeasuredRobot& measured) const {
   return found;
 }
 
-void PoseEstimator::reset() { setPose(robot_.home); }
-
-void PoseEstimator::setPose(const Pose& seed) {
+void PoseEstimator::Tracker::reset(const Pose& seed) {
   last_.reset();
   rungs_.clear();
   seed_ = near_ = seed;
 }
+
+PoseEstimator::PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options)
+    : tracker_(std::make_unique<Tracker>(robot, options)) {}
+PoseEstimator::PoseEstimator(PoseEstimator&& other) noexcept = default;
+PoseEstimator::~PoseEstimator() = default;
+
+Estimate PoseEstimator::update(const CableMeasurements& measurements) { return tracker_->update(measurements); }
+
+void PoseEstimator::reset() { setPose(tracker_->robot().home); }
+
+void PoseEstimator::setPose(const Pose& seed) { tracker_->reset(seed); }
 
 }  // namespace cdpr_kinetostatics

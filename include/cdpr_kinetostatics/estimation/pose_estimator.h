@@ -12,13 +12,13 @@
 
 #include <Eigen/Core>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
-#include "robot/robot_forces.h"
 
 namespace cdpr_kinetostatics {
 
@@ -45,12 +45,6 @@ struct EstimatorOptions {
 struct CableMeasurements {
   std::vector<std::optional<double>> lengths;   // unstrained [m]
   std::vector<std::optional<double>> tensions;  // at A [N]
-};
-
-// Some of the measurements, and components of the known load.
-struct Selection {
-  std::vector<bool> lengths, tensions;  // per cable
-  Eigen::Array<bool, 6, 1> load = Eigen::Array<bool, 6, 1>::Constant(false);
 };
 
 struct Estimate {
@@ -83,15 +77,18 @@ struct Estimate {
   int redundancy = 0;             // measurements in use minus unknowns
 };
 
+// Variance of what the data cannot fix, in the covariance's units: large beside any robot, small beside what a filter
+// that reads the covariance can still invert.
 constexpr double kUnknownVariance = 1e6;
+// Standard deviation of a load that the data cannot fix, as a multiple of the platform's weight.
 constexpr double kUnknownLoad = 1e3;
-
-struct MeasuredRobot;
 
 class PoseEstimator {
  public:
   // The robot must outlive the estimator.
   PoseEstimator(const RobotDescription& robot, const EstimatorOptions& options);
+  PoseEstimator(PoseEstimator&& other) noexcept;
+  ~PoseEstimator();
 
   // Starts from the last estimate if there is one. If that leads to no stable pose that explains the measurements
   // without leaving out most of what is redundant, starts anew near the last pose, and then at the seed; the best
@@ -103,17 +100,8 @@ class PoseEstimator {
   void setPose(const Pose& seed);
 
  private:
-  struct Found;
-  Estimate solve(MeasuredRobot* measured);
-  Found find(const MeasuredRobot& measured) const;
-
-  const RobotDescription& robot_;
-  const EstimatorOptions options_;
-  Pose seed_;
-  Pose near_;  // last pose, or the seed
-  std::optional<RobotForces> last_;
-  Selection left_out_;        // by the last estimate
-  std::vector<Model> rungs_;  // AUTO: those in use; empty at first
+  class Tracker;
+  std::unique_ptr<Tracker> tracker_;
 };
 
 }  // namespace cdpr_kinetostatics

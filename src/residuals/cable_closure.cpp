@@ -66,20 +66,23 @@ bool CableClosure::Evaluate(double const* const* parameters, double* residuals, 
   const double length = parameters[3][0];
   if (!(length > 0.0)) return false;
 
-  const CablePlane plane = cablePlane(anchor_, attachment_, {Eigen::Vector3d(parameters[0]), orientation});
-  const double x = distanceBeside(plane.x, length_scale_);
-  if (!std::isfinite(plane.x) || !std::isfinite(plane.y)) return false;
+  const Pose pose{Eigen::Vector3d(parameters[0]), orientation};
+  Eigen::Vector3d to_b = anchorToAttachment(anchor_, attachment_, pose);
+  if (!to_b.allFinite()) return false;
+  const double beside = std::hypot(to_b.x(), to_b.y());
+  const double x = distanceBeside(beside, length_scale_);
+  if (x > beside) to_b.head<2>() << x, 0.0;
   EndPoint end;
   if (!end_->find({density * x, vertical}, length, &end)) return false;
   residuals[0] = end.position.x() / x - 1.0;
-  residuals[1] = (end.position.y() - plane.y) / length_scale_;
+  residuals[1] = (end.position.y() - to_b.z()) / length_scale_;
   if (jacobians == nullptr) return true;
 
   const Eigen::Vector2d scale(1.0 / x, 1.0 / length_scale_);
   const Eigen::Matrix<double, 2, 3> by_cable = scale.asDiagonal() * end.jacobian;
   RowMajor23 by_b;
-  by_b.leftCols<2>() = by_cable.col(0) * density * plane.direction.head<2>().transpose();
-  by_b.row(0).head<2>() -= end.position.x() / (x * x) * plane.direction.head<2>().transpose();
+  by_b.leftCols<2>() = by_cable.col(0) * density * to_b.head<2>().transpose() / x;
+  by_b.row(0).head<2>() -= end.position.x() / (x * x * x) * to_b.head<2>().transpose();
   by_b.col(2) << 0.0, -1.0 / length_scale_;
   if (jacobians[0] != nullptr) Eigen::Map<RowMajor23>{jacobians[0]} = by_b;
   if (jacobians[1] != nullptr) {

@@ -59,7 +59,7 @@ class ForwardSolve {
     }
     Status status = roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start, &iterations_);
     if (!status.ok()) return refusedRobot(options_.model, status);
-    const Pose rough = start.pose;
+    const RobotForces rough = start;
     const Model rung = startingRung(options_.model);
     if (!skipSearch(rung, &start)) {
       status = searchBasin(robot_, request_.external_wrench, rung, options_.tolerance, deadline_, &start, &iterations_);
@@ -77,7 +77,15 @@ class ForwardSolve {
       rungs_.assign(rungs_.size(), Model::kBending);
       status = refine(start);
     }
-    if (status.code == Code::kNotConverged && isBending(rungs_.front())) status = stiffenFrom(rough);
+    if (isLost(status)) {
+      const Status stiffened = stiffenFrom(rough.pose);
+      // That nothing was found on this way says less than that the other one led to a wrong equilibrium.
+      if (status.code == Code::kNotConverged || stiffened.code != Code::kNotConverged) status = stiffened;
+    }
+    if (isLost(status)) {
+      const Status searched = searchBending(rough);
+      if (searched.ok()) status = searched;
+    }
     if (!status.ok()) return refusedRobot(options_.model, status);
     return solution();
   }
@@ -116,15 +124,17 @@ class ForwardSolve {
     return forces;
   }
 
-  // Newton's method on the cables' rungs.
-  Status refine(const RobotForces& start, int max_iterations = CoupledOptions().max_iterations) {
+  // Newton's method on the cables' rungs. A bending cable longer than its chord by the factor own_shape starts from its
+  // own problem 2.
+  Status refine(const RobotForces& start, int max_iterations = CoupledOptions().max_iterations,
+                double own_shape = kOwnShapeExcess) {
     state_.pose = start.pose;
     state_.cables.clear();
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
       SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
       const CablePlane plane = cablePlane(robot_.cables[i], state_.pose);
       bool started = false;
-      if (isBending(rungs_[i]) && start.lengths[i] > kOwnShapeExcess * std::hypot(plane.x, plane.y)) {
+      if (isBending(rungs_[i]) && start.lengths[i] > own_shape * std::hypot(plane.x, plane.y)) {
         started = cable.startBetween(start.lengths[i], plane.x, plane.y, {options_.tolerance, deadline_}).ok();
       }
       if (!started) cable.start(start.lengths[i], start.forces[i]);
@@ -144,6 +154,19 @@ class ForwardSolve {
               "the platform's pose found is an unstable equilibrium: start from a seed nearer to the expected pose"};
     }
     return outcome_.status;
+  }
+
+  // With bending cables, Newton's method from the catenaries has found nothing, or an equilibrium that is not kept.
+  bool isLost(const Status& status) const {
+    return isBending(rungs_.front()) && (status.code == Code::kNotConverged || status.code == Code::kWrongBranch);
+  }
+
+  // The trust region on the blocks of bending cables: they push where catenaries cannot. Slow, but it finds poses that
+  // no other way leads to.
+  Status searchBending(RobotForces start) {
+    const Status status = searchBasin(robot_, request_.external_wrench, rungs_.front(), options_.tolerance, deadline_,
+                                      &start, &iterations_);
+    return status.ok() ? refine(start, CoupledOptions().max_iterations, 0.0) : status;
   }
 
   Status stiffenFrom(const Pose& pose) {

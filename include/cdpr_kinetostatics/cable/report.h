@@ -17,7 +17,6 @@ enum class Code {
   kInfeasible = -4,  // no tensions within the limits, or out of reach
   kWrongBranch = -5,
   kUnknownCable = -6,
-  kFrameError = -7,
   kInternalError = -99,
 };
 

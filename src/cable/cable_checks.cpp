@@ -3,15 +3,22 @@
 #include <cmath>
 #include <sstream>
 
-#include "cable/input_limits.h"
+#include "cable/text.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
-Status invalid(const std::string& message) { return {Code::kInvalidInput, message}; }
 const Status kFine{Code::kConverged, ""};
 
+std::string withUnit(double value, const char* unit) { return *unit == '\0' ? text(value) : text(value, " ", unit); }
+
 }  // namespace
+
+std::string Field::text() const {
+  std::string name = std::string(name_).append(member_);
+  if (cable_ != nullptr) name += "[" + std::to_string(index_) + "] of cable '" + *cable_ + "'";
+  return name;
+}
 
 std::string named(const char* name, double value, const char* unit) {
   std::ostringstream text;
@@ -21,61 +28,79 @@ std::string named(const char* name, double value, const char* unit) {
   return text.str();
 }
 
-Status checkModel(Model model) {
-  if (isStraight(model) || isCatenary(model) || isBending(model) || model == Model::kAuto) return kFine;
-  return invalid(
-      "the model is none of auto, straight, straight_elastic, catenary_inextensible, catenary, "
-      "catenary_corrected, bending_inextensible and bending");
+Status refused(const Field& field, const std::string& is, const std::string& expected) {
+  return {Code::kInvalidInput, field.text() + " is " + is + ": expected " + expected};
 }
 
-Status checkAccuracy(double accuracy) {
-  if (accuracy > 0.0 && accuracy <= kLargestLength) return kFine;
-  return invalid(named("accuracy", accuracy, "m") + " must be positive and at most 1e6 m");
+Status checkWithin(const Field& field, double value, double limit, const char* unit) {
+  if (std::abs(value) <= limit) return kFine;
+  return refused(field, withUnit(value, unit), "a finite number of magnitude up to " + withUnit(limit, unit));
+}
+
+Status checkNotNegative(const Field& field, double value, double limit, const char* unit) {
+  if (value >= 0.0 && value <= limit) return kFine;
+  return refused(field, withUnit(value, unit), "0 to " + withUnit(limit, unit));
+}
+
+Status checkPositive(const Field& field, double value, double limit, const char* unit) {
+  if (value > 0.0 && value <= limit) return kFine;
+  return refused(field, withUnit(value, unit), "a positive number up to " + withUnit(limit, unit));
+}
+
+Status checkModel(Model model) {
+  if (isStraight(model) || isCatenary(model) || isBending(model) || model == Model::kAuto) return kFine;
+  return refused("model", text(static_cast<int>(model)),
+                 "auto, straight, straight_elastic, catenary_inextensible, catenary, catenary_corrected, "
+                 "bending_inextensible or bending, which are 1 to 8");
+}
+
+Status checkAccuracy(const Field& field, double accuracy) {
+  return checkPositive(field, accuracy, kLargestLength, "m");
+}
+
+Status checkTolerance(const Field& field, double tolerance) {
+  if (tolerance >= kFinestTolerance && tolerance <= kCoarsestTolerance) return kFine;
+  return refused(field, text(tolerance), text(kFinestTolerance, " to ", kCoarsestTolerance));
+}
+
+Status checkProfilePoints(const Field& field, int points, int most) {
+  if (points == 0 || (points >= 2 && points <= most)) return kFine;
+  return refused(field, text(points), text("0 (no profile) or 2 to ", most));
 }
 
 Status checkOptions(const CableSolverOptions& options) {
-  if (!(options.tolerance >= kFinestTolerance && options.tolerance <= kCoarsestTolerance)) {
-    return invalid(named("tolerance", options.tolerance, "") + " must lie between 1e-13 and 0.1");
-  }
-  if (options.profile_points < 0 || options.profile_points == 1 || options.profile_points > kMostProfilePoints) {
-    return invalid(named("profile_points", options.profile_points, "") + " must be 0, or between 2 and 100000");
-  }
-  return firstRefusal(checkAccuracy(options.accuracy), checkModel(options.model));
+  return firstRefusal(checkTolerance("tolerance", options.tolerance),
+                      checkProfilePoints("profile_points", options.profile_points),
+                      checkAccuracy("accuracy", options.accuracy), checkModel(options.model));
+}
+
+Status checkAxialStiffness(double axial_stiffness, Model model) {
+  if (isInextensible(model) || axial_stiffness > 0.0) return kFine;
+  return refused("axial_stiffness", withUnit(axial_stiffness, "N"),
+                 text("a positive number, as the model ", modelName(model),
+                      " stretches the cable; an inextensible model needs none"));
 }
 
 Status checkCable(const CableProperties& cable, Model model) {
-  if (!isInextensible(model) && !(cable.axial_stiffness > 0.0)) {
-    return invalid(named("axial stiffness", cable.axial_stiffness, "N") + " must be positive");
-  }
-  if (!(cable.weight >= 0.0 && cable.weight <= kLargestForce)) {
-    return invalid(named("weight per metre", cable.weight, "N/m") + " must be zero or positive and finite");
-  }
-  if (!(cable.bending_stiffness >= 0.0 && std::isfinite(cable.bending_stiffness))) {
-    return invalid(named("bending stiffness", cable.bending_stiffness, "N m^2") +
-                   " must be zero or positive and finite");
-  }
-  return kFine;
+  const Status status = firstRefusal(checkAxialStiffness(cable.axial_stiffness, model),
+                                     checkNotNegative("weight", cable.weight, kLargestForce, "N/m"));
+  if (!status.ok() || (cable.bending_stiffness >= 0.0 && std::isfinite(cable.bending_stiffness))) return status;
+  return refused("bending_stiffness", withUnit(cable.bending_stiffness, "N m^2"), "0 or a positive finite number");
 }
 
-Status checkLength(double length) {
-  if (length > 0.0 && length <= kLargestLength) return kFine;
-  return invalid(named("length", length, "m") + " must be positive and at most 1e6 m");
-}
+Status checkLength(double length) { return checkPositive("length", length, kLargestLength, "m"); }
 
 Status checkEnd(double x, double y) {
-  if (!(std::isfinite(x) && std::isfinite(y) && std::hypot(x, y) <= kLargestLength)) {
-    return invalid("the end point (" + named("x", x, "m") + ", " + named("y", y, "m") +
-                   ") must be finite and within 1e6 m");
-  }
-  if (x < 0.0) {
-    return invalid(named("x", x, "m") + " must not be negative: x points from A towards B in the cable's plane");
-  }
-  return kFine;
+  Status status = firstRefusal(checkNotNegative("x", x, kLargestLength, "m"), checkWithin("y", y, kLargestLength, "m"));
+  if (x < 0.0) status.message += "; x points from A towards B in the cable's plane";
+  return status;
 }
 
-Status checkForce(const char* name, double force) {
-  if (std::isfinite(force) && std::abs(force) <= kLargestForce) return kFine;
-  return invalid(named(name, force, "N") + " must be finite and at most 1e12 N");
+Status checkEndsApart(double x, double y) {
+  if (x != 0.0 || y != 0.0) return kFine;
+  return {Code::kInvalidInput, "x and y are both 0 m: expected the ends of the cable apart, for a length to span"};
 }
+
+Status checkForce(const Field& field, double force) { return checkWithin(field, force, kLargestForce, "N"); }
 
 }  // namespace cdpr_kinetostatics

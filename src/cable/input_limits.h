@@ -1,5 +1,5 @@
 // What the solvers accept. Beyond these limits a number is a mistake, of units or of a sign, not a robot; the refusal
-// states the limit. One place for cables, robots, estimates and robot files.
+// states the limit. One place for cables, robots, estimates, messages and parameters.
 #pragma once
 
 namespace cdpr_kinetostatics {

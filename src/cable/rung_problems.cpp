@@ -277,17 +277,11 @@ CableSolution forcesOnRung(const CableProperties& properties, double length, dou
 CableSolution lengthOnRung(const CableProperties& properties, double x, double y, double tension_a, double length_hint,
                            const RungOptions& options) {
   const Status check =
-      firstRefusal(checkCable(properties, options.model), checkEnd(x, y), checkForce("tension_a", tension_a),
-                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength(length_hint));
+      firstRefusal(checkCable(properties, options.model), checkEnd(x, y), checkEndsApart(x, y),
+                   checkPositive("tension_a", tension_a, kLargestForce, "N"),
+                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkPositive("length_hint", length_hint, kLargestLength, "m"));
   if (!check.ok()) return refusal(options.model, check);
   const double chord = std::hypot(x, y);
-  if (chord == 0.0) {
-    return refusal(options.model, {Code::kInvalidInput, "the ends of the cable coincide: give x or y"});
-  }
-  if (!(tension_a > 0.0)) {
-    return refusal(options.model,
-                   {Code::kInvalidInput, named("tension_a", tension_a, "N") + " must be positive to find a length"});
-  }
   const CableProperties cable = asSeenBy(options.model, properties);
   if (options.model == Model::kStraight) return straightLength(cable, x, y, tension_a, options);
   if (isInextensible(options.model)) {

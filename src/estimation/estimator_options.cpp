@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
-#include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "cable/cable_checks.h"
+#include "cable/text.h"
 #include "cdpr_kinetostatics/estimation/pose_estimator.h"
 
 namespace cdpr_kinetostatics {
@@ -15,22 +12,19 @@ Wrench EstimatorOptions::defaultLoadStddev(const RobotDescription& robot) {
 }
 
 bool EstimatorOptions::isValid(std::string* error) const {
-  std::ostringstream text;
-  if (const Status model_status = checkModel(model); !model_status.ok()) {
-    text << model_status.message;
-  } else if (!(accuracy > 0.0 && std::isfinite(accuracy))) {
-    text << "accuracy = " << accuracy << " m must be positive";
-  } else if (!(length_stddev > 0.0 && std::isfinite(length_stddev))) {
-    text << "length_stddev = " << length_stddev << " m must be positive";
-  } else if (!(tension_stddev > 0.0 && std::isfinite(tension_stddev))) {
-    text << "tension_stddev = " << tension_stddev << " N must be positive";
-  } else if (!load_stddev.allFinite() || load_stddev.minCoeff() <= 0.0) {
-    text << "load_stddev must be six positive numbers";
-  } else if (!(outlier_threshold > 0.0)) {
-    text << "outlier_threshold = " << outlier_threshold << " must be positive";
+  Status status =
+      firstRefusal(checkModel(model), checkAccuracy("accuracy", accuracy), checkTolerance("tolerance", tolerance),
+                   checkPositive("length_stddev", length_stddev, kLargestLength, "m"),
+                   checkPositive("tension_stddev", tension_stddev, kLargestForce, "N"),
+                   checkProfilePoints("profile_points", profile_points));
+  for (Eigen::Index k = 0; status.ok() && k < 6; ++k) {
+    status = checkPositive("load_stddev", load_stddev(k), kLargestForce, k < 3 ? "N" : "N m");
   }
-  *error = text.str();
-  return error->empty();
+  if (status.ok() && !(outlier_threshold > 0.0)) {
+    status = refused("outlier_threshold", text(outlier_threshold), "a positive number");
+  }
+  *error = status.message;
+  return status.ok();
 }
 
 }  // namespace cdpr_kinetostatics

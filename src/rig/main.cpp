@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "rig/rig_parameters.h"
-#include "rig/rig_simulator.h"
+#include "rig/parameters.h"
+#include "rig/simulator.h"
 
 int main(int argc, char** argv) {
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what the node says appears at once, in a pipe too

@@ -8,7 +8,7 @@ namespace cdpr_kinetostatics {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kAgreement = 1e-6;  // relative; the same quantity rounded differently
+constexpr double kAgreement = 1e-6;  // two values this near are one quantity, rounded differently, relative [-]
 
 struct KeyRule {
   const char* key;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "cable/cable_evaluation.h"
 #include "cable/catenary.h"
@@ -10,6 +9,7 @@
 #include "robot/coupled_newton.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
+#include "robot/robot_checks.h"
 #include "robot/rung_choice.h"
 #include "robot/solution_assembly.h"
 #include "robot/stiffening.h"
@@ -27,21 +27,6 @@ constexpr double kOwnShapeExcess = 1.02;
 constexpr int kNearbyIterations = 10;
 constexpr double kNearbyShareOfSpan = 0.05;
 constexpr double kNearbyAngle = 0.2;  // [rad]
-
-Status checkLengths(const RobotDescription& robot, const std::vector<double>& lengths) {
-  std::ostringstream text;
-  if (lengths.size() != robot.cables.size()) {
-    text << lengths.size() << " lengths were given for " << robot.cables.size() << " cables";
-    return {Code::kInvalidInput, text.str()};
-  }
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    if (lengths[i] > 0.0 && lengths[i] <= 1e6) continue;
-    text << "length of cable '" << robot.cables[i].name << "' = " << lengths[i]
-         << " m must be positive and at most 1e6 m";
-    return {Code::kInvalidInput, text.str()};
-  }
-  return {Code::kConverged, ""};
-}
 
 class ForwardSolve {
  public:
@@ -205,7 +190,7 @@ RobotSolution solveForward(const RobotDescription& robot, const ForwardRequest& 
   const Clock::time_point begin = Clock::now();
   for (const Status& check :
        {checkRobotOptions(options), checkLengths(robot, request.lengths), checkWrench(robot, request.external_wrench),
-        checkPose(request.seed.value_or(robot.home))}) {
+        request.seed ? checkPose("seed", *request.seed) : checkPose("home", robot.home)}) {
     if (!check.ok()) return refusedRobot(options.model, check);
   }
   const Clock::time_point deadline = deadlineAfter(options.timeout);

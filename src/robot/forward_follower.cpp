@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "robot/platform_error.h"
+#include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {

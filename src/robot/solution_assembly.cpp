@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "cable/catenary.h"
-#include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr double kSlackExcess = 1.05;
-constexpr double kLimitTolerance = 1e-9;    // a tension this near to its limit has reached it
-constexpr double kLargestCoordinate = 1e6;  // [m]
-constexpr double kLargestLoad = 1e12;       // [N], [N m]
-
-Status invalid(const std::string& message) { return {Code::kInvalidInput, message}; }
+constexpr double kSlackExcess = 1.05;     // length over chord beyond which a cable counts as slack [-]
+constexpr double kLimitTolerance = 1e-9;  // a tension this near to its limit has reached it, relative [-]
 
 }  // namespace
 
@@ -33,40 +27,6 @@ RobotSolution refusedRobot(Model model, const Status& status) {
   solution.report.status = status;
   solution.report.model = model;
   return solution;
-}
-
-Status checkRobotOptions(const RobotSolverOptions& options) {
-  if (!(options.tolerance >= 1e-13 && options.tolerance <= 0.1)) {
-    std::ostringstream text;
-    text << "tolerance = " << options.tolerance << " must lie between 1e-13 and 0.1";
-    return invalid(text.str());
-  }
-  if (!(options.accuracy > 0.0 && options.accuracy <= kLargestCoordinate)) {
-    std::ostringstream text;
-    text << "accuracy = " << options.accuracy << " m must be positive and at most 1e6 m";
-    return invalid(text.str());
-  }
-  return checkModel(options.model);
-}
-
-Status checkWrench(const RobotDescription& robot, const Wrench& external) {
-  if (!external.allFinite() || external.norm() > kLargestLoad) {
-    return invalid("external_wrench must be finite and at most 1e12 N and N m");
-  }
-  if (robot.type == PlatformType::kPointMass && external.tail<3>().norm() > 0.0) {
-    return invalid("a point mass takes no torque: external_wrench.torque must be zero");
-  }
-  return {Code::kConverged, ""};
-}
-
-Status checkPose(const Pose& pose) {
-  if (!pose.position.allFinite() || pose.position.norm() > kLargestCoordinate) {
-    return invalid("the pose's position must be finite and within 1e6 m");
-  }
-  if (!(std::abs(pose.orientation.norm() - 1.0) < 1e-6)) {
-    return invalid("the pose's orientation must be a unit quaternion");
-  }
-  return {Code::kConverged, ""};
 }
 
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,

@@ -13,11 +13,6 @@ namespace cdpr_kinetostatics {
 // A solution that says only why there is none.
 RobotSolution refusedRobot(Model model, const Status& status);
 
-// INVALID_INPUT for options that cannot be served.
-Status checkRobotOptions(const RobotSolverOptions& options);
-Status checkWrench(const RobotDescription& robot, const Wrench& external);
-Status checkPose(const Pose& pose);
-
 // Cable i between its anchor and the platform at the pose, with so many profile points.
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,
                                           const std::vector<SaggingCable>& cables, int profile_points);

@@ -35,7 +35,7 @@ class YamlMap {
 
   // Paths of the given keys that are present; they count as known from then on.
   std::vector<std::string> present(const std::set<std::string>& keys);
-  // Paths of the keys nobody has read.
+  // Paths of the keys that nothing has asked for.
   std::vector<std::string> unread() const;
 
   [[noreturn]] void fail(const std::string& key, const std::string& expected) const;

@@ -4,17 +4,22 @@
 #include <cmath>
 #include <limits>
 
+#include "cable/cable_checks.h"
+#include "cable/text.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "ros/conversions.h"
 #include "ros/request_checks.h"
 #include "ros/service_reply.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Of cables in messages: beyond these a number is a mistake of units.
+constexpr double kLargestStiffness = 1e12;  // [N], [N m^2]
+constexpr double kLargestDensity = 1e6;     // [kg/m]
 
 struct Cable {
   std::string name;
@@ -31,18 +36,16 @@ Cable requestedCable(const SolveCable::Request& request, Model model, const Robo
     cable.tension_min = found.tension_min;
     return cable;
   }
-  checkNotNegative("axial_stiffness", request.axial_stiffness, kMaxForce, "N");
-  checkNotNegative("bending_stiffness", request.bending_stiffness, kMaxForce, "N m^2");
-  checkNotNegative("linear_density", request.linear_density, kMaxDensity, "kg/m");
+  require(checkNotNegative("axial_stiffness", request.axial_stiffness, kLargestStiffness, "N"));
+  require(checkNotNegative("bending_stiffness", request.bending_stiffness, kLargestStiffness, "N m^2"));
+  require(checkNotNegative("linear_density", request.linear_density, kLargestDensity, "kg/m"));
+  require(checkAxialStiffness(request.axial_stiffness, model), "; or give cable_name");
   cable.properties.axial_stiffness = request.axial_stiffness;
   cable.properties.bending_stiffness = request.bending_stiffness;
   cable.properties.weight = request.linear_density * robot.gravity;
-  if (request.axial_stiffness > 0.0) return cable;
-  if (!isInextensible(model)) {
-    throw RequestError(text("axial_stiffness is 0 N: the model ", modelName(model),
-                            " needs a positive one; give it, or cable_name, or ask for an inextensible model"));
+  if (request.axial_stiffness == 0.0) {
+    cable.properties.axial_stiffness = std::numeric_limits<double>::infinity();
   }
-  cable.properties.axial_stiffness = std::numeric_limits<double>::infinity();
   return cable;
 }
 
@@ -50,23 +53,11 @@ CableSolution solveProblem(const SolveCable::Request& request, const CableProper
                            const CableSolverOptions& options) {
   switch (request.problem) {
     case SolveCable::Request::FIND_POSITION:
-      checkPositive("length", request.length, kMaxLength, "m");
-      checkWithin("horizontal_force", request.horizontal_force, kMaxForce, "N");
-      checkWithin("vertical_force_a", request.vertical_force_a, kMaxForce, "N");
       return findPosition(cable, request.length, request.horizontal_force, request.vertical_force_a, options);
     case SolveCable::Request::FIND_FORCES:
-      checkPositive("length", request.length, kMaxLength, "m");
-      checkNotNegative("x", request.x, kMaxLength, "m");
-      checkWithin("y", request.y, kMaxLength, "m");
       return findForces(cable, request.length, request.x, request.y, options);
     case SolveCable::Request::FIND_LENGTH:
-      checkNotNegative("x", request.x, kMaxLength, "m");
-      checkWithin("y", request.y, kMaxLength, "m");
-      checkPositive("tension_a", request.tension_a, kMaxForce, "N");
-      checkWithin("length", request.length, kMaxLength, "m");
-      if (request.x == 0.0 && request.y == 0.0) {
-        throw RequestError("x and y are both 0: expected an end B away from A, whose distance the length spans");
-      }
+      require(checkWithin("length", request.length, kLargestLength, "m"));  // a hint to the core, of another name
       return findLength(cable, request.x, request.y, request.tension_a, request.length, options);
     default:
       throw RequestError(text("problem is ", int{request.problem},

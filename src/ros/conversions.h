@@ -1,4 +1,4 @@
-// All conversions between ROS types and the core's. They convert; request_checks.h checks.
+// All conversions between ROS types and the core's types. They do not check what they convert: request_checks.h does.
 #pragma once
 
 #include <geometry_msgs/Point.h>
@@ -26,7 +26,7 @@ namespace cdpr_kinetostatics {
 // that a robot description cannot hold (date, binary).
 YAML::Node toYaml(const XmlRpc::XmlRpcValue& value);
 
-// The quaternion is normalised; the zero quaternion must have been refused before.
+// The quaternion is normalised. It must not be zero: checkedPose() in request_checks.h refuses that.
 Pose fromMsg(const geometry_msgs::Pose& pose);
 Wrench fromMsg(const geometry_msgs::Wrench& wrench);
 
@@ -44,7 +44,7 @@ std::vector<CableState> toMsg(const std::vector<CableResult>& results);
 // A cable alone, in its plane: (x, 0, y). Its weight is in N per unstrained metre.
 CableState toMsg(const CableSolution& solution, const std::string& name, double weight, Condition condition);
 
-// Row by row; 36 numbers.
+// The 36 numbers of the matrix, row by row.
 std::vector<double> toMsg(const Eigen::Matrix<double, 6, 6>& matrix);
 
 }  // namespace cdpr_kinetostatics

@@ -1,6 +1,6 @@
 #include "ros/diagnostics.h"
 
-#include "ros/text.h"
+#include "cable/text.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,5 @@
-// /diagnostics: is there input, does the solver converge, can the estimate be trusted.
+// What the node says on /diagnostics: whether measurements arrive, whether the solver converges, and how far the
+// estimate can be trusted.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>

@@ -1,4 +1,4 @@
-// An estimate as the messages that are published.
+// Turns an estimate into the messages that are published.
 #pragma once
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
@@ -11,8 +11,8 @@
 
 namespace cdpr_kinetostatics {
 
-// Finite whatever the estimate: numbers that are not turn it into INTERNAL_ERROR. Unless the code is CONVERGED, the
-// pose is where the robot is at home, of unknown covariance, and there are no cables.
+// All numbers of the message are finite: an estimate with a number that is not becomes an INTERNAL_ERROR. Unless the
+// code is CONVERGED, the pose is the robot's home with unknown covariance, and there are no cables.
 KinetostaticState toMsg(const Estimate& estimate, const Measurement& measurement, const RobotDescription& robot,
                         const std::string& base_frame);
 

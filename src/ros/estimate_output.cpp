@@ -15,7 +15,7 @@ EstimateOutput::EstimateOutput(ros::NodeHandle handle, const NodeParameters& par
 
 bool EstimateOutput::markersAreDue(const ros::Time& stamp) {
   if (parameters_.marker_rate <= 0.0 || markers_.getNumSubscribers() == 0) return false;
-  // A little early is in time: stamps need not be multiples of the period.
+  // One per cent early counts as in time, because stamps need not be exact multiples of the period.
   const double since = stamp.toSec() - last_markers_.toSec();
   if (!last_markers_.isZero() && since >= 0.0 && since < 0.99 / parameters_.marker_rate) return false;
   last_markers_ = stamp;

@@ -1,4 +1,4 @@
-// The estimator at work: takes measurements from the topic to the estimate, in two threads of its own.
+// Runs the estimator: from the messages on cable_states to published estimates, in two threads of its own.
 //
 // One receives, checks and queues; one estimates and publishes. Services reach the estimator between two solves.
 #pragma once

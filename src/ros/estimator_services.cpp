@@ -1,8 +1,7 @@
 #include "ros/estimator_services.h"
 
-#include "ros/conversions.h"
+#include "cable/text.h"
 #include "ros/request_checks.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
@@ -15,12 +14,11 @@ SetPose::Response serveSetPose(EstimatorLoop& loop, const NodeParameters& parame
     return response;
   }
   try {
-    checkPose("pose", request.pose.pose);
+    loop.setPose(checkedPose("pose", request.pose.pose));
   } catch (const RequestError& problem) {
     response.message = problem.what();
     return response;
   }
-  loop.setPose(fromMsg(request.pose.pose));
   response.success = 1;
   response.message = "the next estimate starts there";
   return response;

@@ -22,20 +22,21 @@ struct EstimatorStatus {
   double largest_solve_time = 0.0;  // [s]
 
   SolveReport last;          // of the last solve
-  std::string last_failure;  // sentence of the last one that failed
+  std::string last_failure;  // message of the last solve that failed
   // Of the last estimate.
-  std::vector<std::string> outliers;  // "length of cable3", "load in x"
+  std::vector<std::string> outliers;  // "length of cable3", "known load, force x"
   int unobservable_directions = 0;
   int redundancy = 0;
   double weighted_squares = 0.0;
   double position_stddev = 0.0;  // largest of x, y, z [m]
-  double rotation_stddev = 0.0;  // largest of the three [rad]
-  double force_stddev = 0.0;     // of the load, largest of x, y, z [N]; unknown ones apart
-  double torque_stddev = 0.0;    // [N m]
+  double rotation_stddev = 0.0;  // largest of the rotations about x, y, z [rad]
+  double force_stddev = 0.0;     // largest of those components of the load that are known [N]
+  double torque_stddev = 0.0;    // the same of its torque [N m]
   int unknown_load_components = 0;
 
   void add(const Estimate& estimate, const KinetostaticState& state);
-  void startAnew();  // the recent ones
+  // Sets what counts since the last diagnostics to zero.
+  void startAnew();
 };
 
 }  // namespace cdpr_kinetostatics

@@ -12,15 +12,11 @@ ForwardKinetostatics::Response solve(const NodeParameters& parameters, const For
   const RobotDescription& robot = parameters.robot;
   RobotSolverOptions options = checkedOptions(request.options, request.profile_points, parameters);
   options.compute_stiffness = request.compute_stiffness != 0;
-  checkWrench("external_wrench", request.external_wrench, robot.type);
 
   ForwardRequest question;
   question.lengths = orderedLengths(request.lengths, request.cable_names, robot);
   question.external_wrench = fromMsg(request.external_wrench);
-  if (request.use_seed) {
-    checkPose("seed", request.seed);
-    question.seed = fromMsg(request.seed);
-  }
+  if (request.use_seed) question.seed = checkedPose("seed", request.seed);
 
   const RobotSolution solution = solveForward(robot, question, options);
 

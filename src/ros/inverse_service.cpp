@@ -11,12 +11,9 @@ namespace {
 InverseKinetostatics::Response solve(const NodeParameters& parameters, const InverseKinetostatics::Request& request) {
   const RobotDescription& robot = parameters.robot;
   const RobotSolverOptions options = checkedOptions(request.options, request.profile_points, parameters);
-  checkPose("pose", request.pose);
-  checkWrench("external_wrench", request.external_wrench, robot.type);
-  checkPreferredTensions(request.preferred_tensions, robot);
 
   InverseRequest question;
-  question.pose = fromMsg(request.pose);
+  question.pose = checkedPose("pose", request.pose);
   question.free_orientation = request.free_orientation != 0;
   question.external_wrench = fromMsg(request.external_wrench);
   question.preferred_tensions = request.preferred_tensions;

@@ -3,11 +3,11 @@
 #include <ros/console.h>
 #include <ros/param.h>
 
+#include "cable/text.h"
 #include "ros/cable_service.h"
 #include "ros/estimator_services.h"
 #include "ros/forward_service.h"
 #include "ros/inverse_service.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 

@@ -12,7 +12,7 @@
 
 namespace cdpr_kinetostatics {
 
-// The three kinetostatic services do not share anything but the constant parameters: they may run in any number of
+// The three kinetostatic services share nothing but the parameters, which never change: they may run in any number of
 // threads. The estimator has threads of its own.
 class KinetostaticsNode {
  public:

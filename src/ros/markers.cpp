@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cable/text.h"
 #include "ros/conversions.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
@@ -12,7 +12,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-// In spans of the frame.
+// Sizes of what is drawn, in spans of the frame [-].
 constexpr double kLineWidth = 0.0025;
 constexpr double kTextHeight = 0.018;
 constexpr double kLegendHeight = 0.14;
@@ -214,7 +214,7 @@ visualization_msgs::MarkerArray cableMarkers(const RobotDescription& robot, cons
     line.color = colourOf(cable, outlier, scale);
     markers.markers.push_back(line);
 
-    // Neighbours' labels go to different places: cables often come in pairs.
+    // Cables often come in pairs: labels of neighbours go to different places along them.
     const double height = 0.9 * kTextHeight * robot.span();
     const Eigen::Vector3d anchor = robot.cables[i].anchor;
     Eigen::Vector3d beside =

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "ros/request_checks.h"
-#include "ros/text.h"
+#include "cable/cable_checks.h"
+#include "cable/text.h"
 
 namespace cdpr_kinetostatics {
 
@@ -91,18 +90,19 @@ void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableM
     }
     const auto i = static_cast<std::size_t>(found - robot_.cables.begin());
     const double length = message.position[k];
-    if (length > 0.0 && length <= kMaxLength) {
+    const Status length_check = checkPositive({"position", k, found->name}, length, kLargestLength, "m");
+    if (length_check.ok()) {
       cables->lengths[i] = length;
     } else if (!std::isnan(length)) {
-      note(&counts_.impossible, text("the length of ", found->name, " is ", length, " m: expected a positive number"));
+      note(&counts_.impossible, length_check.message);
     }
     if (message.effort.empty()) continue;
     const double tension = message.effort[k];
-    if (std::abs(tension) <= kMaxForce) {
+    const Status tension_check = checkWithin({"effort", k, found->name}, tension, kLargestForce, "N");
+    if (tension_check.ok()) {
       cables->tensions[i] = tension;
     } else if (!std::isnan(tension)) {
-      note(&counts_.impossible,
-           text("the tension of ", found->name, " is ", tension, " N: expected at most ", kMaxForce, " N"));
+      note(&counts_.impossible, tension_check.message);
     }
   }
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {

@@ -25,7 +25,7 @@ struct InputCounts {
   std::uint64_t stale = 0;      // older than ~max_age when it arrived, or as far in the future
   std::uint64_t repeated = 0;   // same stamp as the last one
   std::uint64_t reordered = 0;  // earlier than the last one by less than ~max_age
-  // Accepted, but.
+  // Found in messages that were accepted.
   std::uint64_t time_jumps = 0;     // time went backwards: the estimator was reset
   std::uint64_t unknown_names = 0;  // entries that are none of the robot's cables
   std::uint64_t missing_lengths = 0;
@@ -38,7 +38,7 @@ struct InputCounts {
 struct Measurement {
   std_msgs::Header header;
   CableMeasurements cables;
-  bool reset_first = false;  // time went backwards: what was known is void
+  bool reset_first = false;  // time went backwards: the estimator must forget what it knows
 };
 
 class MeasurementInput {
@@ -49,7 +49,7 @@ class MeasurementInput {
   // The measurement, or nothing if the message is refused.
   std::optional<Measurement> check(const sensor_msgs::JointState& message, const ros::Time& now);
 
-  // Forgets the stamps, not the counts.
+  // Forgets the stamps of earlier messages, but not the counts.
   void reset();
 
   const InputCounts& counts() const { return counts_; }

@@ -17,11 +17,11 @@ class MeasurementQueue {
   explicit MeasurementQueue(std::size_t capacity) : capacity_(capacity) {}
 
   void push(Measurement measurement);
-  // Waits for the oldest; empty once closed.
+  // Waits until there is a measurement and returns the oldest; nothing once the queue is closed.
   std::optional<Measurement> pop();
   void clear();
   void close();
-  // How many gave way to newer ones.
+  // How many measurements have made room for newer ones.
   std::uint64_t superseded() const;
 
  private:

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "ros/text.h"
+#include "cable/text.h"
 
 namespace cdpr_kinetostatics {
 

@@ -9,7 +9,8 @@
 
 namespace cdpr_kinetostatics {
 
-// YAML 1.1 reads 1e-8, without a point, as a string: a string that is a number in full is taken as one.
+// The number that a parameter holds. YAML 1.1 reads 1e-8, which has no point, as a string; so a string that is nothing
+// but a number counts as that number.
 std::optional<double> asNumber(const XmlRpc::XmlRpcValue& value);
 
 // A wrong value throws std::invalid_argument, whose text names the key, the value and what was expected.
@@ -20,7 +21,7 @@ class ParameterReader {
   explicit ParameterReader(const XmlRpc::XmlRpcValue& values, std::string where = "~");
 
   bool has(const std::string& key);
-  const XmlRpc::XmlRpcValue& value(const std::string& key);  // of a key that is there
+  const XmlRpc::XmlRpcValue& value(const std::string& key);  // the key must be there
 
   double number(const std::string& key, double fallback, double low, double high, const char* unit);
   int integer(const std::string& key, int fallback, int low, int high);

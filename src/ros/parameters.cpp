@@ -2,15 +2,18 @@
 
 #include <stdexcept>
 
+#include "cable/input_limits.h"
+#include "cable/text.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
 #include "ros/conversions.h"
 #include "ros/parameter_reader.h"
-#include "ros/request_checks.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
 namespace {
+
+// Finer accuracies are beneath the rounding of coordinates [m].
+constexpr double kFinestAccuracy = 1e-15;
 
 void readEstimator(ParameterReader& reader, NodeParameters* parameters) {
   EstimatorOptions& options = parameters->estimator;
@@ -22,10 +25,10 @@ void readEstimator(ParameterReader& reader, NodeParameters* parameters) {
   options.tension_stddev = reader.number("tension_stddev", options.tension_stddev, 1e-6, 1e9, " N");
   options.known_load = reader.flag("known_load", options.known_load);
   options.load_stddev = EstimatorOptions::defaultLoadStddev(parameters->robot);
-  const std::vector<double> load = reader.numbers("load_stddev", 6, 1e-9, 1e12, " [N, N, N, N m, N m, N m]");
+  const std::vector<double> load = reader.numbers("load_stddev", 6, 1e-9, kLargestForce, " [N, N, N, N m, N m, N m]");
   for (std::size_t i = 0; i < load.size(); ++i) options.load_stddev(static_cast<Eigen::Index>(i)) = load[i];
   options.outlier_threshold = reader.number("outlier_threshold", options.outlier_threshold, 1.0, 1e6, " sigma");
-  options.profile_points = reader.integer("profile_points", 21, 0, kMaxProfilePoints);
+  options.profile_points = reader.integer("profile_points", 21, 0, kMostMessagePoints);
   if (options.profile_points == 1) reader.refuse("profile_points", "0 (no profiles) or at least 2");
   std::string problem;
   if (!options.isValid(&problem)) throw std::invalid_argument("parameters of the estimator: " + problem);
@@ -69,9 +72,9 @@ LoadedParameters loadParameters(const XmlRpc::XmlRpcValue& private_parameters) {
   ParameterReader reader(private_parameters);
   parameters.robot = readRobot(reader, &loaded.warnings);
   parameters.model = readModel(reader, parameters.model);
-  parameters.accuracy = reader.number("accuracy", parameters.accuracy, kMinAccuracy, kMaxLength, " m");
-  parameters.tolerance = reader.number("tolerance", parameters.tolerance, kMinTolerance, kMaxTolerance, "");
-  parameters.timeout = reader.number("timeout", parameters.timeout, kMinTimeout, kMaxTimeout, " s");
+  parameters.accuracy = reader.number("accuracy", parameters.accuracy, kFinestAccuracy, kLargestLength, " m");
+  parameters.tolerance = reader.number("tolerance", parameters.tolerance, kFinestTolerance, kCoarsestTolerance, "");
+  parameters.timeout = reader.number("timeout", parameters.timeout, kShortestTimeout, kLongestTimeout, " s");
 
   readEstimator(reader, &parameters);
   parameters.max_age = reader.number("max_age", parameters.max_age, 1e-3, 3600.0, " s");

@@ -16,6 +16,13 @@ namespace cdpr_kinetostatics {
 
 class ParameterReader;
 
+// Of one solve [s]: less than a cable's solve takes, and more than anyone waits for a service.
+inline constexpr double kShortestTimeout = 1e-4;
+inline constexpr double kLongestTimeout = 3600.0;
+
+// Points of each cable's profile in a message: eight cables with so many fill two megabytes.
+inline constexpr int kMostMessagePoints = 10000;
+
 struct NodeParameters {
   RobotDescription robot;      // ~robot, no default
   Model model = Model::kAuto;  // ~model

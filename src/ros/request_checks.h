@@ -1,20 +1,17 @@
-// Checks of what users ask for, before anything is computed.
-//
-// Each check throws RequestError, whose sentence names the field, its value and what to do.
+// Checks of what only messages have: names of cables, a quaternion that is nearly unit, zeros that stand for the node's
+// parameters. What the core asks of a problem it checks itself (robot/robot_checks.h, cable/cable_checks.h), under the
+// fields' names in the messages.
 #pragma once
 
 #include <geometry_msgs/Pose.h>
-#include <geometry_msgs/Wrench.h>
 
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cdpr_kinetostatics/SolverOptions.h"
 #include "cdpr_kinetostatics/cable/report.h"
-#include "cdpr_kinetostatics/robot/forward.h"
-#include "cdpr_kinetostatics/robot/inverse.h"
+#include "cdpr_kinetostatics/robot/robot_solution.h"
 #include "ros/parameters.h"
 
 namespace cdpr_kinetostatics {
@@ -30,30 +27,15 @@ class RequestError : public std::runtime_error {
   Code code_;
 };
 
-// Beyond these a number is a mistake of units or an overflow; the solvers are tested up to them.
-constexpr double kMaxLength = 1e6;      // lengths and coordinates [m]
-constexpr double kMaxForce = 1e12;      // forces [N], torques [N m], stiffnesses [N, N m^2]
-constexpr double kMaxDensity = 1e6;     // [kg/m]
-constexpr double kMinAccuracy = 1e-15;  // [m]
-constexpr double kMinTolerance = 1e-13;
-constexpr double kMaxTolerance = 0.1;
-constexpr double kMinTimeout = 1e-4;    // [s]
-constexpr double kMaxTimeout = 3600.0;  // [s]
-constexpr int kMaxProfilePoints = 10000;
+// Throws what one of the core's checks refuses; `otherwise` ends its sentence.
+void require(const Status& status, const std::string& otherwise = "");
 
-// |value| <= limit, finite; `where` names the field, as in "external_wrench.force.x".
-void checkWithin(const std::string& where, double value, double limit, const char* unit);
-void checkNotNegative(const std::string& where, double value, double limit, const char* unit);
-void checkPositive(const std::string& where, double value, double limit, const char* unit);
-
-void checkPose(const std::string& where, const geometry_msgs::Pose& pose);
-void checkWrench(const std::string& where, const geometry_msgs::Wrench& wrench, PlatformType type);
+// The pose with a unit quaternion; it need only be nearly so. `field` is the pose's name.
+Pose checkedPose(const std::string& field, const geometry_msgs::Pose& pose);
 
 // The lengths in the robot's order. Empty names: they are in that order already.
 std::vector<double> orderedLengths(const std::vector<double>& lengths, const std::vector<std::string>& names,
                                    const RobotDescription& robot);
-
-void checkPreferredTensions(const std::vector<double>& tensions, const RobotDescription& robot);
 
 // The cable of that name; UNKNOWN_CABLE if there is none.
 const CableDescription& findCable(const std::string& name, const RobotDescription& robot);

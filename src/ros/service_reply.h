@@ -21,8 +21,8 @@ bool allFinite(const std::vector<CableState>& states);
 
 SolveReport failure(Code code, const std::string& message);
 
-// Replaces `response` by what `solve` returns; if that throws, response keeps its numbers and its report
-// says why. `solve` checks the request, calls the core and converts.
+// Replaces `response` by what `solve` returns; if that throws, the response keeps its numbers and its report says why.
+// `solve` checks the request, calls the core and converts the answer.
 template <typename Response, typename Solve>
 void reply(Response& response, const Solve& solve) {
   try {
@@ -34,7 +34,7 @@ void reply(Response& response, const Solve& solve) {
   }
 }
 
-// For `solve`: a number that is not finite is a defect that must not leave the node.
+// Called by `solve` last: a number that is not finite is a defect, which must not leave the node.
 template <typename... Parts>
 void requireFinite(const Parts&... parts) {
   if (!(allFinite(parts) && ...)) {

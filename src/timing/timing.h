@@ -8,7 +8,8 @@ namespace cdpr_kinetostatics {
 // Seconds since an arbitrary moment; never goes back.
 double now();
 
-// The value that a share of the sorted values lies below, 0 <= share <= 1 (0.5: median, 0.99: p99); interpolated.
+// The value below which this share of the sorted values lies (0.5: median, 0.99: p99), interpolated between two of
+// them.
 double quantile(std::vector<double> values, double share);
 
 // Prevents the compiler from dropping the computation of value.

@@ -1,4 +1,4 @@
-// Where the numbers come from: times mean little without it.
+// The machine, compiler and commit that the numbers come from; times mean little without them.
 #pragma once
 
 #include <string>

@@ -9,9 +9,10 @@
 namespace cdpr_kinetostatics {
 namespace {
 
+// A setting that takes at most this many times as long as the fastest is worth its finer tolerance [-].
 constexpr double kSameTime = 1.25;
 
-// The most exact setting of the rungs below the model that are not good enough.
+// Of the models coarser than this one, none of which is accurate enough, the setting that errs least.
 std::optional<Choice> bestCoarser(const std::vector<Choice>& choices, Model model, double accuracy) {
   std::optional<Choice> best;
   for (const Choice& choice : choices) {
@@ -49,7 +50,7 @@ std::optional<Choice> fastestWithin(const std::vector<Choice>& choices, double a
     if (!fastest || choice.time < fastest->time) fastest = choice;
   }
   if (!fastest) return std::nullopt;
-  // A finer tolerance that costs next to nothing: closed forms hardly notice theirs.
+  // Closed forms take about as long at any tolerance: the finest that costs little more is the better choice.
   const double affordable = kSameTime * fastest->time;
   for (const Choice& choice : choices) {
     if (choice.setting.model != fastest->setting.model || choice.error > accuracy || choice.time > affordable) continue;

@@ -23,7 +23,7 @@ struct Choice {
 // Every setting that solved all poses.
 std::vector<Choice> choicesOf(const RobotTrade& trade);
 
-// The fastest rung and tolerance within the accuracy [m]; AUTO is not asked. Empty if there is none.
+// The fastest model and tolerance within the accuracy [m], AUTO left aside. Empty if there is none.
 std::optional<Choice> fastestWithin(const std::vector<Choice>& choices, double accuracy);
 
 // "For 0.1 mm at the platform: catenary ...", what it neglects and takes, and what a coarser rung would miss at best.

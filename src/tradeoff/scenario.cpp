@@ -12,11 +12,15 @@
 namespace cdpr_kinetostatics {
 namespace {
 
+// Distances of the poses from home, tried in this order [spans].
 constexpr double kSharesOfSpan[] = {0.05, 0.02, 0.01};
-constexpr double kBefore = 0.01;  // [m]
 
-// Lengths that do not lead back to their pose have another equilibrium nearby: no reference.
-constexpr double kSamePose = 1e-8;  // [m], per metre of span
+// Distance of the pose before [m].
+constexpr double kBefore = 0.01;
+
+// A pose whose lengths lead back to it within this is a reference; otherwise there is another equilibrium nearby [m per
+// metre of span].
+constexpr double kSamePose = 1e-8;
 
 InverseRequest requestAt(const RobotDescription& robot, const Eigen::Vector3d& position) {
   InverseRequest request;

@@ -1,4 +1,5 @@
-// One problem, solved again and again in one way: what is timed, and what its answer misses.
+// A trial is one problem that is solved again and again in one way: its solves are timed, and its answer is compared
+// with the reference.
 #pragma once
 
 #include <memory>

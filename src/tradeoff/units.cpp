@@ -10,7 +10,7 @@ struct Prefix {
   const char* name;
 };
 constexpr Prefix kPrefixes[] = {{1.0, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}};
-constexpr double kLeast = 1e-13;
+constexpr double kLeast = 1e-13;  // [m], [s]: smaller values are rounding
 
 std::string withPrefix(double value, int digits, const char* unit) {
   if (value == 0.0) return std::string("0 ") + unit;

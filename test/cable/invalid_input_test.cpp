@@ -64,15 +64,15 @@ TEST(InvalidInput, PropertiesOfTheCable) {
       for (const double bad : {kNaN, -1.0, kInfinity}) {
         Request spoiled = request;
         spoiled.cable.weight = bad;
-        expectRefusal(spoiled, problem, Code::kInvalidInput, "weight");
+        expectRefusal(spoiled, problem, Code::kInvalidInput, "weight is");
         spoiled = request;
         spoiled.cable.bending_stiffness = bad;
-        expectRefusal(spoiled, problem, Code::kInvalidInput, "bending stiffness");
+        expectRefusal(spoiled, problem, Code::kInvalidInput, "bending_stiffness is");
       }
       for (const double bad : {kNaN, -1.0, 0.0}) {
         Request spoiled = request;
         spoiled.cable.axial_stiffness = bad;
-        if (!isInextensible(model)) expectRefusal(spoiled, problem, Code::kInvalidInput, "axial stiffness");
+        if (!isInextensible(model)) expectRefusal(spoiled, problem, Code::kInvalidInput, "axial_stiffness is");
       }
     }
   }
@@ -85,21 +85,21 @@ TEST(InvalidInput, LengthsAndForces) {
     for (const double bad : {kNaN, kInfinity, 0.0, -1.0, 1e300}) {
       Request spoiled = request;
       spoiled.length = bad;
-      expectRefusal(spoiled, 1, Code::kInvalidInput, "length");
-      expectRefusal(spoiled, 2, Code::kInvalidInput, "length");
+      expectRefusal(spoiled, 1, Code::kInvalidInput, "length is");
+      expectRefusal(spoiled, 2, Code::kInvalidInput, "length is");
     }
     for (const double bad : {kNaN, kInfinity, -kInfinity, 1e300}) {
       Request spoiled = request;
       spoiled.h = bad;
-      expectRefusal(spoiled, 1, Code::kInvalidInput, "horizontal_force");
+      expectRefusal(spoiled, 1, Code::kInvalidInput, "horizontal_force is");
       spoiled = request;
       spoiled.v = bad;
-      expectRefusal(spoiled, 1, Code::kInvalidInput, "vertical_force_a");
+      expectRefusal(spoiled, 1, Code::kInvalidInput, "vertical_force_a is");
     }
     for (const double bad : {kNaN, kInfinity, 0.0, -5.0}) {
       Request spoiled = request;
       spoiled.tension = bad;
-      expectRefusal(spoiled, 3, Code::kInvalidInput, "tension_a");
+      expectRefusal(spoiled, 3, Code::kInvalidInput, "tension_a is");
     }
   }
 }
@@ -108,7 +108,7 @@ TEST(InvalidInput, HintsOutOfRange) {
   for (const double bad : {kInfinity, 1e300}) {
     Request spoiled;
     spoiled.hint = bad;
-    expectRefusal(spoiled, 3, Code::kInvalidInput, "length");
+    expectRefusal(spoiled, 3, Code::kInvalidInput, "length_hint is");
   }
 }
 
@@ -120,12 +120,12 @@ TEST(InvalidInput, EndPoints) {
       for (const double bad : {kNaN, kInfinity, -0.1}) {
         Request spoiled = request;
         spoiled.x = bad;
-        expectRefusal(spoiled, problem, Code::kInvalidInput, "x = ");
+        expectRefusal(spoiled, problem, Code::kInvalidInput, "x is ");
       }
       for (const double bad : {kNaN, -kInfinity}) {
         Request spoiled = request;
         spoiled.y = bad;
-        expectRefusal(spoiled, problem, Code::kInvalidInput, "y = ");
+        expectRefusal(spoiled, problem, Code::kInvalidInput, "y is ");
       }
     }
     Request coincident;
@@ -140,17 +140,17 @@ TEST(InvalidInput, Options) {
     for (const double bad : {kNaN, 0.0, -1e-8, 1e-16, 0.5, kInfinity}) {
       Request spoiled;
       spoiled.options.tolerance = bad;
-      expectRefusal(spoiled, problem, Code::kInvalidInput, "tolerance");
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "tolerance is");
     }
     for (const int bad : {-1, 1, 2000000000}) {
       Request spoiled;
       spoiled.options.profile_points = bad;
-      expectRefusal(spoiled, problem, Code::kInvalidInput, "profile_points");
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "profile_points is");
     }
     for (const Model bad : {Model::kDefault, static_cast<Model>(9)}) {
       Request spoiled;
       spoiled.options.model = bad;
-      expectRefusal(spoiled, problem, Code::kInvalidInput, "model");
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "model is");
     }
   }
 }

@@ -52,27 +52,30 @@ class Refusals : public testing::Test {
 };
 
 TEST_F(Refusals, LengthsAreCounted) {
-  expectForwardRefused([](ForwardRequest* r) { r->lengths.pop_back(); }, "7 lengths were given for 8 cables");
-  expectForwardRefused([](ForwardRequest* r) { r->lengths.clear(); }, "0 lengths were given for 8 cables");
+  expectForwardRefused([](ForwardRequest* r) { r->lengths.pop_back(); },
+                       "lengths has 7 entries: expected 8, one for each of cable0");
+  expectForwardRefused([](ForwardRequest* r) { r->lengths.clear(); },
+                       "lengths has 0 entries: expected 8, one for each of cable0");
 }
 
 TEST_F(Refusals, LengthsMustBePositiveAndFinite) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, 1e9}) {
-    expectForwardRefused([&](ForwardRequest* r) { r->lengths[3] = bad; }, "'" + robot_.cables[3].name + "'");
+    expectForwardRefused([&](ForwardRequest* r) { r->lengths[3] = bad; },
+                         "lengths[3] of cable '" + robot_.cables[3].name + "' is");
   }
 }
 
 TEST_F(Refusals, WrenchesMustBeFinite) {
   for (const double bad : {kNan, kInfinity, 1e15}) {
-    expectForwardRefused([&](ForwardRequest* r) { r->external_wrench(4) = bad; }, "external_wrench");
-    expectInverseRefused([&](InverseRequest* r) { r->external_wrench(1) = bad; }, "external_wrench");
+    expectForwardRefused([&](ForwardRequest* r) { r->external_wrench(4) = bad; }, "external_wrench.torque.y is");
+    expectInverseRefused([&](InverseRequest* r) { r->external_wrench(1) = bad; }, "external_wrench.force.y is");
   }
 }
 
 TEST_F(Refusals, PosesMustBeFiniteWithAUnitQuaternion) {
   for (const double bad : {kNan, kInfinity, 1e9}) {
-    expectForwardRefused([&](ForwardRequest* r) { r->seed.emplace().position.x() = bad; }, "position");
-    expectInverseRefused([&](InverseRequest* r) { r->pose.position.z() = bad; }, "position");
+    expectForwardRefused([&](ForwardRequest* r) { r->seed.emplace().position.x() = bad; }, "seed.position.x is");
+    expectInverseRefused([&](InverseRequest* r) { r->pose.position.z() = bad; }, "pose.position.z is");
   }
   for (const Eigen::Vector4d& bad : {Eigen::Vector4d(0.0, 0.0, 0.0, 0.0), Eigen::Vector4d(0.0, 0.0, 0.0, 2.0),
                                      Eigen::Vector4d(kNan, 0.0, 0.0, 1.0)}) {
@@ -83,14 +86,14 @@ TEST_F(Refusals, PosesMustBeFiniteWithAUnitQuaternion) {
 
 TEST_F(Refusals, PreferredTensionsAreCountedAndChecked) {
   expectInverseRefused([](InverseRequest* r) { r->preferred_tensions.assign(7, 100.0); },
-                       "7 preferred tensions were given for 8 cables");
+                       "preferred_tensions has 7 entries: expected 8, one for each of cable0");
   for (const double bad : {-1.0, kNan, kInfinity}) {
     expectInverseRefused(
         [&](InverseRequest* r) {
           r->preferred_tensions.assign(8, 100.0);
           r->preferred_tensions[2] = bad;
         },
-        "'" + robot_.cables[2].name + "'");
+        "preferred_tensions[2] of cable '" + robot_.cables[2].name + "' is");
   }
 }
 
@@ -168,7 +171,7 @@ TEST_F(Refusals, APointMassTakesNoTorque) {
   const RobotDescription robot = shippedRobot(ROBOT_DIR, "paper_point_mass");
   InverseRequest request = requestFor(robot, robot.home);
   request.external_wrench(5) = 1.0;
-  expectRefused(solveInverse(robot, request, options_), Code::kInvalidInput, "torque");
+  expectRefused(solveInverse(robot, request, options_), Code::kInvalidInput, "external_wrench.torque is (0, 0, 1)");
 }
 
 TEST_F(Refusals, FewCablesNeedAFreeAttitude) {

@@ -281,7 +281,7 @@ TEST_F(BadRequests, TimeoutIsKept) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bad_requests_rostest");
+  ros::init(argc, argv, "ros_bad_requests_rostest");
   ros::NodeHandle handle;
   return RUN_ALL_TESTS();
 }

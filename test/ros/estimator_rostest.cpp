@@ -264,7 +264,7 @@ TEST_F(Estimator, CanBeResetAndSeeded) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "estimator_rostest");
+  ros::init(argc, argv, "ros_estimator_rostest");
   ros::NodeHandle handle;
   return RUN_ALL_TESTS();
 }

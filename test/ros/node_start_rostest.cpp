@@ -91,7 +91,7 @@ TEST(NodeStart, RefusesWrongNumbersAndModels) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_start_rostest");
+  ros::init(argc, argv, "ros_node_start_rostest");
   ros::NodeHandle handle;
   return RUN_ALL_TESTS();
 }

@@ -283,7 +283,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Services,
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "services_rostest");
+  ros::init(argc, argv, "ros_services_rostest");
   ros::NodeHandle handle;
   return RUN_ALL_TESTS();
 }

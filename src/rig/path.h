@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/robot_description.h"
-#include "rig/rig_parameters.h"
+#include "rig/parameters.h"
 
 namespace cdpr_kinetostatics {
 
-// The poses of a circle, a figure of eight or waypoints, at a time since the start [s]. Circles start at home; they
-// are horizontal, but for a point mass on two cables, which moves in their vertical plane.
+// The poses of a circle, a figure of eight or waypoints, at a time since the start [s]. Circles start at home. They
+// are horizontal, except for a point mass on two cables, which moves in their vertical plane.
 class FixedPath {
  public:
   FixedPath(const RobotDescription& robot, const RigPath& path, double radius);

@@ -1,18 +1,18 @@
-#include "rig/rig_parameters.h"
+#include "rig/parameters.h"
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "cable/input_limits.h"
+#include "cable/text.h"
 #include "ros/parameter_reader.h"
 #include "ros/parameters.h"
-#include "ros/request_checks.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
 namespace {
 
-constexpr double kLatest = 1e9;  // [s]
+constexpr double kLatest = 1e9;  // [s since the rig's start], thirty years: never
 
 // One reader for each map of a list; `read` takes it and its index.
 template <typename Read>
@@ -37,7 +37,7 @@ RigFault readFault(ParameterReader& entry, const RobotDescription& robot) {
   for (const CableDescription& cable : robot.cables) names.push_back(cable.name);
   const std::string name = entry.oneOf("cable", "", names);
   fault.cable = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  fault.value = entry.number("value", 0.0, -kMaxForce, kMaxForce, " N or m");
+  fault.value = entry.number("value", 0.0, -kLargestForce, kLargestForce, " N or m");
   fault.start = entry.number("start", 0.0, 0.0, kLatest, " s");
   fault.end = entry.number("end", kLatest, fault.start, kLatest, " s");
   return fault;
@@ -60,7 +60,7 @@ RigSensors readSensors(ParameterReader& reader, const RobotDescription& robot, s
 }
 
 Pose readWaypoint(ParameterReader& entry, const RobotDescription& robot) {
-  const std::vector<double> xyz = entry.numbers("xyz", 3, -kMaxLength, kMaxLength, " m");
+  const std::vector<double> xyz = entry.numbers("xyz", 3, -kLargestLength, kLargestLength, " m");
   if (xyz.empty()) entry.refuse("xyz", "three coordinates [m]");
   Pose pose = robot.home;
   pose.position = {xyz[0], xyz[1], xyz[2]};
@@ -78,9 +78,9 @@ RigPath readPath(ParameterReader& reader, const RobotDescription& robot, std::ve
   const std::vector<std::string> kinds = {"circle", "figure_of_eight", "waypoints", "target"};
   const std::string kind = reader.oneOf("path", "circle", kinds);
   path.kind = static_cast<RigPath::Kind>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
-  if (reader.has("path_radius")) path.radius = reader.number("path_radius", 0.0, 0.0, kMaxLength, " m");
+  if (reader.has("path_radius")) path.radius = reader.number("path_radius", 0.0, 0.0, kLargestLength, " m");
   path.period = reader.number("path_period", path.period, 0.01, 1e6, " s");
-  path.speed = reader.number("speed", 0.02 * robot.span(), 1e-6, kMaxLength, " m/s");
+  path.speed = reader.number("speed", 0.02 * robot.span(), 1e-6, kLargestLength, " m/s");
   forEach(reader, "waypoints", warnings,
           [&](ParameterReader& entry) { path.waypoints.push_back(readWaypoint(entry, robot)); });
   if (path.kind == RigPath::Kind::kWaypoints && path.waypoints.size() < 2) {
@@ -92,7 +92,7 @@ RigPath readPath(ParameterReader& reader, const RobotDescription& robot, std::ve
 RigLoad readLoad(ParameterReader& entry) {
   RigLoad load;
   load.time = entry.number("time", 0.0, 0.0, kLatest, " s");
-  const std::vector<double> wrench = entry.numbers("wrench", 6, -kMaxForce, kMaxForce, " N, N m");
+  const std::vector<double> wrench = entry.numbers("wrench", 6, -kLargestForce, kLargestForce, " N, N m");
   if (wrench.empty()) entry.refuse("wrench", "six numbers [N, N, N, N m, N m, N m]");
   for (std::size_t k = 0; k < 6; ++k) load.wrench(static_cast<Eigen::Index>(k)) = wrench[k];
   return load;
@@ -106,7 +106,7 @@ LoadedRigParameters loadRigParameters(const XmlRpc::XmlRpcValue& private_paramet
   ParameterReader reader(private_parameters);
   parameters.robot = readRobot(reader, &loaded.warnings);
   parameters.model = readModel(reader, parameters.model);
-  parameters.tolerance = reader.number("tolerance", parameters.tolerance, kMinTolerance, kMaxTolerance, "");
+  parameters.tolerance = reader.number("tolerance", parameters.tolerance, kFinestTolerance, kCoarsestTolerance, "");
   parameters.rate = reader.number("rate", parameters.rate, 0.01, 10000.0, " Hz");
   parameters.base_frame = reader.word("base_frame", parameters.base_frame);
   parameters.path = readPath(reader, parameters.robot, &loaded.warnings);

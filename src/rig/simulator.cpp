@@ -1,4 +1,4 @@
-#include "rig/rig_simulator.h"
+#include "rig/simulator.h"
 
 #include <ros/console.h>
 #include <ros/init.h>
@@ -8,18 +8,18 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rig/rig_load.h"
+#include "cable/text.h"
+#include "rig/load.h"
 #include "ros/conversions.h"
 #include "ros/markers.h"
 #include "ros/request_checks.h"
-#include "ros/text.h"
 
 namespace cdpr_kinetostatics {
 
 namespace {
 
-constexpr double kDefaultRadius = 0.05;  // in spans of the frame
-constexpr double kMarkerSize = 0.1;      // in spans of the frame
+constexpr double kDefaultRadius = 0.05;  // of the path [spans of the frame]
+constexpr double kMarkerSize = 0.1;      // [spans of the frame]
 
 visualization_msgs::InteractiveMarkerControl control(const Eigen::Vector3d& axis, std::uint8_t mode,
                                                      const std::string& name) {
@@ -52,7 +52,7 @@ RigSimulator::RigSimulator(ros::NodeHandle handle, ros::NodeHandle private_handl
 }
 
 bool RigSimulator::canBeHeld(const FixedPath& path) const {
-  constexpr int kPoses = 16;
+  constexpr int kPoses = 16;  // at equal times along the path
   for (int k = 0; k < kPoses; ++k) {
     RigTruth truth;
     const Pose pose = path.at(path.duration() * k / kPoses);
@@ -62,7 +62,7 @@ bool RigSimulator::canBeHeld(const FixedPath& path) const {
 }
 
 FixedPath RigSimulator::choosePath() const {
-  constexpr int kHalvings = 6;
+  constexpr int kHalvings = 6;  // down to a sixty-fourth of the default radius
   double radius = parameters_.path.radius.value_or(kDefaultRadius * parameters_.robot.span());
   if (parameters_.path.radius) return FixedPath(parameters_.robot, parameters_.path, radius);
   for (int k = 0; k < kHalvings; ++k, radius *= 0.5) {
@@ -81,8 +81,7 @@ void RigSimulator::setTarget(const geometry_msgs::PoseStamped& target) {
     if (!frame.empty() && frame != parameters_.base_frame) {
       throw RequestError(text("header.frame_id is '", frame, "': expected '", parameters_.base_frame, "', or none"));
     }
-    checkPose("pose", target.pose);
-    target_ = fromMsg(target.pose);
+    target_ = checkedPose("pose", target.pose);
   } catch (const RequestError& problem) {
     ROS_WARN_STREAM("target_pose ignored: " << problem.what());
   }
@@ -113,9 +112,10 @@ void RigSimulator::offerTargetMarker() {
   target_marker_->applyChanges();
 }
 
-// 0 if laps differ, if one is not a whole number of steps, or too long to be remembered.
+// The number of steps of a lap; 0 if laps differ, if a lap is not a whole number of steps, or if it is too long to be
+// remembered.
 std::size_t RigSimulator::stepsOfLap() const {
-  constexpr double kMost = 100000;
+  constexpr double kMost = 100000;  // steps, of some hundred bytes each
   const double steps = path_.duration() * parameters_.rate;
   const bool whole = std::abs(steps - std::round(steps)) < 1e-9 * steps;
   const bool same = parameters_.path.kind != RigPath::Kind::kTarget && parameters_.load_noise == 0.0;

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "rig_scene.h"
+#include "scene.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -60,6 +60,6 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   cdpr_kinetostatics::port = cdpr_kinetostatics::freePort();
   setenv("ROS_MASTER_URI", ("http://localhost:" + cdpr_kinetostatics::port).c_str(), 1);
-  ros::init(argc, argv, "master_restart_rostest");
+  ros::init(argc, argv, "rig_master_restart_rostest");
   return RUN_ALL_TESTS();
 }

@@ -1,4 +1,4 @@
-#include "rig/rig_path.h"
+#include "rig/path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rig_scene.h"
+#include "scene.h"
 
 namespace cdpr_kinetostatics {
 namespace {

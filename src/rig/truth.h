@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/robot_solution.h"
-#include "rig/rig_parameters.h"
+#include "rig/parameters.h"
 
 namespace cdpr_kinetostatics {
 
@@ -23,10 +23,11 @@ Status solveRig(const RigParameters& parameters, const Pose& pose, const Wrench&
 // Forward kinetostatics: where the platform of `truth` goes under another load, at the lengths that it has.
 Status disturbRig(const RigParameters& parameters, const Wrench& load, RigTruth* truth);
 
-// Truths of one lap of a path: those that follow need no solves, so that the rig can be faster than they are.
+// What was solved during the first lap of a path. Later laps repeat it without solving, so that the rig can run at a
+// higher rate than its solves would allow.
 class RigLap {
  public:
-  // 0 steps: remembers nothing.
+  // With 0 steps nothing is remembered.
   explicit RigLap(std::size_t steps) : truths_(steps) {}
 
   // Null if that step has not been solved under this load.

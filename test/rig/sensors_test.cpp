@@ -1,7 +1,7 @@
 // What the rig's sensors say of the truth: noise of the right size, bias, steps, drop-outs, every kind of fault, and
 // the same numbers for the same seed.
 
-#include "rig/rig_sensors.h"
+#include "rig/sensors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The rig's truth: lengths that forward kinetostatics takes back to the pose, a lap that is remembered for its load
 // alone, and loads that are drawn as asked for.
 
-#include "rig/rig_truth.h"
+#include "rig/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
-#include "rig/rig_load.h"
+#include "rig/load.h"
 
 namespace cdpr_kinetostatics {
 namespace {

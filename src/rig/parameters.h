@@ -38,7 +38,7 @@ struct RigSensors {
 
 struct RigPath {
   enum class Kind { kCircle, kFigureOfEight, kWaypoints, kTarget } kind = Kind::kCircle;
-  std::optional<double> radius;  // [m]; empty: 5 % of the span, or less where that cannot be held
+  std::optional<double> radius;  // [m]; empty: 5 % of the span, or less if the cables cannot hold that
   double period = 20.0;          // of a circle or figure [s]
   double speed = 0.0;            // along waypoints and to a target [m/s]
   std::vector<Pose> waypoints;   // world

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/robot_description.h"
-#include "rig/rig_parameters.h"
-#include "rig/rig_truth.h"
+#include "rig/parameters.h"
+#include "rig/truth.h"
 
 namespace cdpr_kinetostatics {
 

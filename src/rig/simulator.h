@@ -13,10 +13,10 @@
 #include <memory>
 #include <optional>
 
-#include "rig/rig_parameters.h"
-#include "rig/rig_path.h"
-#include "rig/rig_sensors.h"
-#include "rig/rig_truth.h"
+#include "rig/parameters.h"
+#include "rig/path.h"
+#include "rig/sensors.h"
+#include "rig/truth.h"
 
 namespace cdpr_kinetostatics {
 

@@ -1,4 +1,4 @@
-#include "rig/rig_load.h"
+#include "rig/load.h"
 
 #include <cmath>
 #include <random>
@@ -15,7 +15,7 @@ Wrench rigLoad(const RigParameters& parameters, double time) {
 
 Wrench unknownRigLoad(const RigParameters& parameters, double time) {
   const RobotDescription& robot = parameters.robot;
-  // Seeds of their own: the sensors' noise is the same with and without a drawn load.
+  // The drawn loads have seeds of their own, so that the sensors' noise is the same with and without them.
   std::seed_seq seed{parameters.sensors.seed, static_cast<int>(std::floor(time)), 1};
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;

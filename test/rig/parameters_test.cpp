@@ -1,6 +1,6 @@
 // The rig's parameters: defaults of the manual, wrong ones named with their value, lists read entry by entry.
 
-#include "rig/rig_parameters.h"
+#include "rig/parameters.h"
 
 #include <gtest/gtest.h>
 

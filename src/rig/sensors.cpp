@@ -1,4 +1,4 @@
-#include "rig/rig_sensors.h"
+#include "rig/sensors.h"
 
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ RigMeasurements::RigMeasurements(const RobotDescription& robot, const RigSensors
       stuck_(sensors.faults.size()) {}
 
 std::optional<sensor_msgs::JointState> RigMeasurements::measure(const RigTruth& truth, double time) {
-  // A fixed number of draws each time: switching one fault on leaves the other numbers as they were.
+  // The number of draws is the same in each step, so that switching a fault on leaves all other numbers as they were.
   std::normal_distribution<double> normal;
   sensor_msgs::JointState message;
   const bool lost = std::uniform_real_distribution<double>()(random_) < sensors_.dropout;

@@ -112,7 +112,7 @@ TEST(Noise, ErrorsAreAsLargeAsTheCovarianceSays) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "tracking_rostest");
+  ros::init(argc, argv, "rig_tracking_rostest");
   ros::NodeHandle handle;
   return RUN_ALL_TESTS();
 }

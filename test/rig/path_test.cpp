@@ -1,6 +1,6 @@
 // Paths of the simulated rig: start at home, return, have no jumps, and are the curves that their names say.
 
-#include "rig/rig_path.h"
+#include "rig/path.h"
 
 #include <gtest/gtest.h>
 

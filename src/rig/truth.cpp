@@ -1,4 +1,4 @@
-#include "rig/rig_truth.h"
+#include "rig/truth.h"
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"

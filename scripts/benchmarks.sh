@@ -1,6 +1,6 @@
 #!/bin/bash
 # Builds and runs the benchmarks of docs/performance.md one after the other, and prints one table of what they measured
-# beside the targets. Fails if a program fails, never by a time.
+# beside the targets. Fails if a program fails, but never because of a time.
 #   scripts/benchmarks.sh [--quick] [--out DIR]     DIR: for the CSV files, default benchmark_results in the workspace
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"

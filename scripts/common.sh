@@ -1,4 +1,4 @@
-# What the scripts share: where things are, and how the package is built. Sourced, not run.
+# Shared by all scripts: where things are, and how the package is built. To be sourced, not to be run.
 
 set -euo pipefail
 

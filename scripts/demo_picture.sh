@@ -1,5 +1,6 @@
 #!/bin/bash
-# Saves what RViz shows, without a screen.   scripts/demo_picture.sh CONFIG.rviz FILE.png   (called by demo.sh with a master running)
+# Saves what RViz shows, without a screen. Called by demo.sh, with a master running.
+#   scripts/demo_picture.sh CONFIG.rviz FILE.png
 set -euo pipefail
 
 config=$1
@@ -13,8 +14,9 @@ rviz -d "$config" --fullscreen >"$log" 2>&1 &
 rviz=$!
 trap 'kill $rviz 2>/dev/null; rm -f "$log"' EXIT
 
-# Asks every half second, 80 times at most. Done when two pictures in a row have the background of the view in the corner,
-# which the start-up picture has not, and more than a few colours: RViz paints its grid first, then what it hears.
+# Takes a picture every half second, 80 times at most. It is the one wanted when two in a row have the background of the
+# view in their corner, which the picture at start-up has not, and more than a few colours: RViz paints its grid first
+# and then what it receives.
 background='srgb(32,34,38)' # of rviz/kinetostatics.rviz
 ready=0
 for _ in $(seq 80); do

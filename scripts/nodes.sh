@@ -1,10 +1,10 @@
-# What the scripts share that start nodes: build, a master of their own, launch, and an end without leftovers.
-# Sourced after common.sh, not run.
+# Shared by the scripts that start nodes: they build, start a master of their own, launch, and leave no process behind.
+# To be sourced after common.sh, not to be run.
 
-scratch=$(mktemp -d) # gone at the end
+scratch=$(mktemp -d) # removed at the end
 launch_log=$scratch/roslaunch.log
-launch=              # process of roslaunch
-client=              # process that `beside` waits for
+launch=              # number of the process of roslaunch
+client=              # number of the process that `beside` waits for
 
 stop() {
   local process
@@ -16,7 +16,7 @@ stop() {
 trap 'stop; rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM
 
-# Installs and builds; says nothing of it but that it takes time, unless it fails.
+# Installs and builds. Prints what the build says only if it fails.
 prepare() {
   "$repository/scripts/setup.sh"
   echo "building (the first time takes some minutes)"
@@ -25,7 +25,7 @@ prepare() {
     exit 1
   fi
   source_workspace
-  # A master of our own on a free port: whatever runs on this machine is left alone.
+  # The master is our own, on a free port, so that whatever else runs on this machine is left alone.
   port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
   export ROS_MASTER_URI=http://localhost:$port ROS_HOSTNAME=localhost
   unset ROS_IP
@@ -49,7 +49,7 @@ launch() {
   done
 }
 
-# beside COMMAND...: runs it as long as the nodes run.
+# beside COMMAND...: runs the command beside the nodes; ends if either fails.
 beside() {
   local status=0
   "$@" &

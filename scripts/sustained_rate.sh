@@ -1,6 +1,6 @@
 #!/bin/bash
-# Runs the simulated rig at a rate and the node with its default model beside it, and says what the node makes of that:
-# messages in, poses out, latency, processor time, memory. Without arguments 60 s at 1000 Hz on CoGiRo.
+# Runs the simulated rig at a rate, and beside it the node with its default model, and prints how the node keeps up:
+# messages in, poses out, latency, processor time, memory. Without arguments it runs 60 s at 1000 Hz on CoGiRo.
 #   scripts/sustained_rate.sh [--duration S] [--rate HZ] [--robot NAME] [--model NAME] [--json FILE]
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -8,7 +8,7 @@ source "$repository/scripts/nodes.sh"
 
 robot=cogiro
 rate=1000
-period=5 # [s], of the circle: the rig needs its first lap to solve for lengths and tensions, slower than the rate
+period=5 # [s], of the circle: the rig solves during its first lap only, more slowly than the rate
 model=
 arguments=()
 while [ $# -gt 0 ]; do

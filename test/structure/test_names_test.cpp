@@ -1,0 +1,89 @@
+// Tests carry the names of what they test: src/<layer>/<name>.cpp of the core has test/<layer>/<name>_test.cpp, so that
+// who changes the one finds the other. The exceptions are below, each with its reason.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Source, and where its logic is tested instead, or why there is nothing to test.
+const std::map<std::string, std::string> kExceptions = {
+    {"cable/bend_mesh.cpp",
+     "shooting meshes are seen in the shapes: measure_test, collocation_test, shot_sensitivity_test"},
+    {"cable/bending.cpp", "problems of a bending cable: branch_test, exact_elastica_test, round_trip_test"},
+    {"cable/bending_expansion.cpp", "catenary_corrected_test"},
+    {"cable/bending_newton.cpp", "what it converges to is what bending.cpp returns: branch_test, jacobian_test"},
+    {"cable/bending_position.cpp", "problem 1 of a bending cable: round_trip_test, exact_elastica_test"},
+    {"cable/cable_evaluation.cpp", "measure_test, golden_test"},
+    {"cable/cable_solver.cpp", "every test of problems 1 to 3: invalid_input_test, round_trip_test, limits_test"},
+    {"cable/catenary.cpp", "exact_catenary_test, jacobian_test"},
+    {"cable/length_search.cpp", "length_branch_test"},
+    {"cable/multiple_shooting.cpp", "shot_sensitivity_test, collocation_test, branch_test"},
+    {"cable/rung_error.cpp", "limits_test, catenary_corrected_test"},
+    {"cable/rung_problems.cpp", "every test of problems 1 to 3: round_trip_test, extremes_test"},
+    {"cable/sagging_cable.cpp", "jacobian_test, residuals/bending_closure_test"},
+    {"cable/shape_measures.cpp", "measure_test"},
+    {"cable/shooting_mesh.cpp", "shot_sensitivity_test, extremes_test"},
+    {"cable/shot.cpp", "shot_sensitivity_test"},
+    {"cable/slow_series.cpp", "slow_manifold_test"},
+    {"cable/straight.cpp", "limits_test, residuals/catenary_closure_test"},
+    {"geometry/cable_plane.cpp", "residuals/catenary_closure_test"},
+    {"geometry/spatial.cpp", "residuals/platform_equilibrium_test"},
+    {"residuals/cable_closure.cpp", "catenary_closure_test, bending_closure_test"},
+    {"robot/basin_search.cpp", "far_seeds_test"},
+    {"robot/coupled_newton.cpp", "stiffness_test, round_trip_test"},
+    {"robot/forward.cpp", "round_trip_test, far_seeds_test, refusal_test"},
+    {"robot/inverse_solve.cpp", "inverse_test"},
+    {"robot/inverse_tensions.cpp", "inverse_test, tension_distribution_test"},
+    {"robot/linear_robot.cpp", "stiffness_test"},
+    {"robot/nearest_in_polytope.cpp", "bounded_qp_test"},
+    {"robot/platform_error.cpp", "auto_test"},
+    {"robot/platform_statics.cpp", "residuals/platform_equilibrium_test, load_test"},
+    {"robot/residual_blocks.cpp", "far_seeds_test"},
+    {"robot/robot_solution.cpp", "two loops that copy a number per cable"},
+    {"robot/rung_choice.cpp", "auto_test, following_auto_test"},
+    {"robot/spring_platform.cpp", "far_seeds_test, straight_test"},
+    {"robot/stiffening.cpp", "stiff_bars_test"},
+    {"robot/straight_forward.cpp", "straight_test"},
+    {"estimation/adjustment.cpp", "pose_estimator_test"},
+    {"estimation/adjustment_statistics.cpp", "pose_estimator_test"},
+    {"estimation/cold_start.cpp", "pose_estimator_test, vertical_cables_test"},
+    {"estimation/estimate_error.cpp", "auto_estimate_test"},
+    {"estimation/estimate_report.cpp", "pose_estimator_test"},
+    {"estimation/fault_search.cpp", "pose_estimator_test"},
+    {"estimation/measurement_cost.cpp", "pose_estimator_test"},
+};
+
+fs::path testOf(const std::string& source) {
+  const fs::path path(source);
+  return fs::path(SOURCE_DIR) / "test" / path.parent_path() / (path.stem().string() + "_test.cpp");
+}
+
+TEST(TestNames, EachSourceOfTheCoreHasItsTest) {
+  int sources = 0;
+  for (const std::string layer : {"cable", "geometry", "residuals", "robot", "estimation"}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_DIR) / "src" / layer)) {
+      if (entry.path().extension() != ".cpp") continue;
+      ++sources;
+      const std::string source = layer + "/" + entry.path().filename().string();
+      if (kExceptions.count(source) > 0) continue;
+      EXPECT_TRUE(fs::exists(testOf(source))) << source << " has no test of its name";
+    }
+  }
+  EXPECT_GT(sources, 40);
+}
+
+TEST(TestNames, ExceptionsAreStillNeeded) {
+  for (const auto& [source, reason] : kExceptions) {
+    EXPECT_TRUE(fs::exists(fs::path(SOURCE_DIR) / "src" / source)) << source << " is no source any more";
+    EXPECT_FALSE(fs::exists(testOf(source))) << source << " has a test of its name now";
+    EXPECT_FALSE(reason.empty()) << source;
+  }
+}
+
+}  // namespace

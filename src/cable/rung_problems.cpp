@@ -279,7 +279,8 @@ CableSolution lengthOnRung(const CableProperties& properties, double x, double y
   const Status check =
       firstRefusal(checkCable(properties, options.model), checkEnd(x, y), checkEndsApart(x, y),
                    checkPositive("tension_a", tension_a, kLargestForce, "N"),
-                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkPositive("length_hint", length_hint, kLargestLength, "m"));
+                   length_hint <= 0.0 ? Status{Code::kConverged, ""}
+                                      : checkPositive("length_hint", length_hint, kLargestLength, "m"));
   if (!check.ok()) return refusal(options.model, check);
   const double chord = std::hypot(x, y);
   const CableProperties cable = asSeenBy(options.model, properties);

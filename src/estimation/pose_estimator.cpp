@@ -1,15 +1,13 @@
 #include "cdpr_kinetostatics/estimation/pose_estimator.h"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <utility>
 
-#include "cable/input_limits.h"
 #include "estimation/cold_start.h"
 #include "estimation/estimate_error.h"
 #include "estimation/estimate_report.h"
 #include "estimation/fault_search.h"
+#include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
@@ -18,22 +16,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 Status checkMeasurements(const RobotDescription& robot, const CableMeasurements& measurements) {
-  const std::size_t n = robot.cables.size();
-  std::ostringstream text;
-  if (measurements.lengths.size() != n || measurements.tensions.size() != n) {
-    text << measurements.lengths.size() << " lengths and " << measurements.tensions.size() << " tensions for " << n
-         << " cables";
-    return {Code::kInvalidInput, text.str()};
-  }
-  for (std::size_t i = 0; i < n; ++i) {
+  Status status = firstRefusal(checkCount("lengths", measurements.lengths.size(), robot),
+                               checkCount("tensions", measurements.tensions.size(), robot));
+  for (std::size_t i = 0; status.ok() && i < robot.cables.size(); ++i) {
+    const std::string& cable = robot.cables[i].name;
     const double length = measurements.lengths[i].value_or(1.0);
     const double tension = measurements.tensions[i].value_or(1.0);
-    if (length > 0.0 && length <= kLargestLength && std::abs(tension) <= kLargestForce) continue;
-    text << "cable '" << robot.cables[i].name << "': length " << length << " m must be positive and at most "
-         << kLargestLength << " m, tension " << tension << " N within " << kLargestForce << " N of zero";
-    return {Code::kInvalidInput, text.str()};
+    status = firstRefusal(checkPositive({"lengths", i, cable}, length, kLargestLength, "m"),
+                          checkWithin({"tensions", i, cable}, tension, kLargestForce, "N"));
   }
-  return {Code::kConverged, ""};
+  return status;
 }
 
 Selection available(const RobotDescription& robot, const EstimatorOptions& options,

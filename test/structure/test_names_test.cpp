@@ -34,7 +34,6 @@ const std::map<std::string, std::string> kExceptions = {
     {"cable/straight.cpp", "limits_test, residuals/catenary_closure_test"},
     {"geometry/cable_plane.cpp", "residuals/catenary_closure_test"},
     {"geometry/spatial.cpp", "residuals/platform_equilibrium_test"},
-    {"residuals/cable_closure.cpp", "catenary_closure_test, bending_closure_test"},
     {"robot/basin_search.cpp", "far_seeds_test"},
     {"robot/coupled_newton.cpp", "stiffness_test, round_trip_test"},
     {"robot/forward.cpp", "round_trip_test, far_seeds_test, refusal_test"},
@@ -50,13 +49,6 @@ const std::map<std::string, std::string> kExceptions = {
     {"robot/spring_platform.cpp", "far_seeds_test, straight_test"},
     {"robot/stiffening.cpp", "stiff_bars_test"},
     {"robot/straight_forward.cpp", "straight_test"},
-    {"estimation/adjustment.cpp", "pose_estimator_test"},
-    {"estimation/adjustment_statistics.cpp", "pose_estimator_test"},
-    {"estimation/cold_start.cpp", "pose_estimator_test, vertical_cables_test"},
-    {"estimation/estimate_error.cpp", "auto_estimate_test"},
-    {"estimation/estimate_report.cpp", "pose_estimator_test"},
-    {"estimation/fault_search.cpp", "pose_estimator_test"},
-    {"estimation/measurement_cost.cpp", "pose_estimator_test"},
 };
 
 fs::path testOf(const std::string& source) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "cable/catenary.h"
+#include "cable/tautness.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
@@ -12,7 +12,6 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr double kSlackExcess = 1.05;
 constexpr double kLimitTolerance = 1e-9;    // a tension this near to its limit has reached it
 constexpr double kLargestCoordinate = 1e6;  // [m]
 constexpr double kLargestLoad = 1e12;       // [N], [N m]
@@ -22,7 +21,7 @@ Status invalid(const std::string& message) { return {Code::kInvalidInput, messag
 }  // namespace
 
 Condition conditionOf(const CableSolution& cable, double tension_min) {
-  if (ForcesAtA{cable.horizontal_force, cable.vertical_force_a}.push()) return Condition::kCompressed;
+  if (pushes({cable.horizontal_force, cable.vertical_force_a})) return Condition::kCompressed;
   const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.y) ||
                      cable.tension_a < tension_min * (1.0 - kLimitTolerance);
   return slack ? Condition::kSlack : Condition::kTaut;

@@ -6,6 +6,9 @@
 #include <optional>
 
 #include "cable/bending_newton.h"
+#include "cable/cable_checks.h"
+#include "cable/catenary.h"
+#include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -56,10 +59,7 @@ std::optional<PathPoint> safeStart(const CableProperties& cable, double length, 
     catenary = catenaryForces(start.cable, length, start.x, y);
     if (start.x >= wide || (catenary && sharpestBend(start.cable, length, *catenary) < kSafeBend)) break;
   }
-  if (!catenary ||
-      (catenary->horizontal == 0.0 && catenary->vertical >= 0.0 && catenary->vertical <= start.cable.weight * length)) {
-    return std::nullopt;
-  }
+  if (!catenary || !pullsAllAlong(start.cable, length, *catenary)) return std::nullopt;
   *forces = *catenary;
   const double tension = std::hypot(forces->horizontal, forces->vertical);
   const double by_layers = tension * std::pow(length / kSafeLayers, 2);
@@ -69,21 +69,16 @@ std::optional<PathPoint> safeStart(const CableProperties& cable, double length, 
   return start;
 }
 
-BendingOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double y,
-                                    const SolveLimits& limits, MultipleShooting* shooting) {
-  BendingOutcome outcome;
+SolveOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double y,
+                                  const SolveLimits& limits, MultipleShooting* shooting) {
   ForcesAtA forces;
   std::optional<PathPoint> start = safeStart(cable, length, x, y, &forces);
-  if (!start) {
-    outcome.status = {Code::kNotConverged, "no catenary to start from"};
-    return outcome;
-  }
+  if (!start) return {{Code::kNotConverged, "no catenary to start from"}};
+  SolveOutcome outcome;
   const PathPoint goal{cable, x};
   for (int i = 0; i < kMostSofter; ++i, start->cable.bending_stiffness *= kSofter) {
-    const int before = outcome.iterations;
     shooting->start(start->cable, length, forces.horizontal, forces.vertical, limits.tolerance);
-    outcome = newton({Goal::kEndPoint, length, {start->x, y}}, limits, kMaxNewtonIterations, shooting);
-    outcome.iterations += before;
+    outcome.then(newton({Goal::kEndPoint, length, {start->x, y}}, limits, kMaxNewtonIterations, shooting));
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) break;
   }
   if (!outcome.status.ok()) return outcome;
@@ -97,9 +92,8 @@ BendingOutcome continueFromCatenary(const CableProperties& cable, double length,
     if (start->cable.bending_stiffness != cable.bending_stiffness || start->cable.weight != cable.weight) {
       shooting->changeProperties(point.cable);
     }
-    const BendingOutcome local = newton({Goal::kEndPoint, length, {point.x, y}}, limits, 12, shooting);
-    outcome.iterations += local.iterations;
-    outcome.closure_residual = local.closure_residual;
+    const SolveOutcome local = newton({Goal::kEndPoint, length, {point.x, y}}, limits, 12, shooting);
+    outcome.count(local);
     if (local.status.code == Code::kTimedOut) {
       outcome.status = local.status;
       return outcome;
@@ -129,38 +123,31 @@ bool onSaggingBranch(const MultipleShooting& shooting) {
          std::abs(shooting.turning()) < kLoopAngle;
 }
 
-BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
-                                  const SolveLimits& limits, MultipleShooting* shooting) {
-  BendingOutcome outcome;
-  if (std::isinf(cable.axial_stiffness) && std::hypot(x, y) >= length) {
-    outcome.status = {Code::kInfeasible, "an inextensible cable must be longer than the distance of its ends"};
-    return outcome;
-  }
+SolveOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
+                                const SolveLimits& limits, MultipleShooting* shooting) {
+  if (std::isinf(cable.axial_stiffness) && std::hypot(x, y) >= length) return {cannotReach(length, std::hypot(x, y))};
+  SolveOutcome outcome;
   const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, y);
-  if (catenary && hasTension(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
+  if (catenary && pullsAllAlong(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
     shooting->start(cable, length, catenary->horizontal, catenary->vertical, limits.tolerance);
-    outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting);
+    outcome.then(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting));
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
-  int direct_iterations = outcome.iterations;
   const double compression = std::isfinite(cable.axial_stiffness)
                                  ? cable.axial_stiffness * (1.0 - std::hypot(x, y) / length)
                                  : std::numeric_limits<double>::infinity();
   if (compression >= -cable.weight * length && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
     shooting->startStraight(cable, length, x, y, limits.tolerance);
-    outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting);
-    direct_iterations += outcome.iterations;
-    outcome.iterations = direct_iterations;
+    outcome.then(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting));
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
-  outcome = continueFromCatenary(cable, length, x, y, limits, shooting);
-  outcome.iterations += direct_iterations;
+  outcome.then(continueFromCatenary(cable, length, x, y, limits, shooting));
   return outcome;
 }
 
-BendingOutcome followBendingForces(double length, double x, double y, const SolveLimits& limits,
-                                   MultipleShooting* shooting) {
-  BendingOutcome outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, 12, shooting);
+SolveOutcome followBendingForces(double length, double x, double y, const SolveLimits& limits,
+                                 MultipleShooting* shooting) {
+  SolveOutcome outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, 12, shooting);
   if (outcome.status.ok() && !onSaggingBranch(*shooting)) {
     outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
   }

@@ -7,37 +7,32 @@
 // from a value at which the catenary holds (docs/theory.md section 3).
 #pragma once
 
-#include "cable/catenary.h"
+#include "cable/forces_at_a.h"
 #include "cable/multiple_shooting.h"
-#include "cdpr_kinetostatics/cable/report.h"
+#include "cable/solve_outcome.h"
+#include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/solve_limits.h"
 
 namespace cdpr_kinetostatics {
-
-struct BendingOutcome {
-  Status status;
-  int iterations = 0;
-  double closure_residual = 0.0;  // [m]
-};
 
 // True for the equilibrium described above: stable with its ends held, below its chord, free of loops.
 bool onSaggingBranch(const MultipleShooting& shooting);
 
 // Problem 2; x >= 0. On success shooting holds the equilibrium, linearised.
-BendingOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
-                                  const SolveLimits& limits, MultipleShooting* shooting);
+SolveOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
+                                const SolveLimits& limits, MultipleShooting* shooting);
 
 // Problem 2 from the equilibrium that shooting holds, for an end point or a length nearby: Newton's method
 // alone, no search. NOT_CONVERGED if the step was too far, WRONG_BRANCH if it led elsewhere.
-BendingOutcome followBendingForces(double length, double x, double y, const SolveLimits& limits,
-                                   MultipleShooting* shooting);
+SolveOutcome followBendingForces(double length, double x, double y, const SolveLimits& limits,
+                                 MultipleShooting* shooting);
 
 // Problem 1. For H < 0 the end point is that with x >= 0: a slack loop or a bowed strut.
-BendingOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
-                                    const SolveLimits& limits, MultipleShooting* shooting);
+SolveOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
+                                  const SolveLimits& limits, MultipleShooting* shooting);
 
 // Problem 1 from the equilibrium that shooting holds, for forces or a length nearby.
-BendingOutcome followBendingPosition(double length, const ForcesAtA& forces, const SolveLimits& limits,
-                                     MultipleShooting* shooting);
+SolveOutcome followBendingPosition(double length, const ForcesAtA& forces, const SolveLimits& limits,
+                                   MultipleShooting* shooting);
 
 }  // namespace cdpr_kinetostatics

@@ -1,9 +1,10 @@
 #include "cable/bending_expansion.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -17,8 +18,6 @@ constexpr std::array<double, 6> kWeights = {0.2491470458134028, 0.23349253653835
 // The integrand of (24) is analytic in s but at distance |(mid, H)| of the middle; beyond this many half-ranges
 // of the vertical force it is integrated over s, else over the slope angle, in which it is entire.
 constexpr double kFarPole = 2.5;
-
-constexpr int kMaxIterations = 30;
 
 // The expansion holds from this kappa L on, and while its second term in the middle is below this share of the first.
 constexpr double kLeastLayers = 4.0;
@@ -105,45 +104,17 @@ EndPoint firstOrderBending(const CableProperties& cable, double h, double v, dou
   return effect;
 }
 
-EndPoint correctedCatenaryEnd(const CableProperties& cable, double h, double v, double length) {
-  EndPoint end = catenaryEnd(cable, h, v, length);
-  if (cable.bending_stiffness == 0.0) return end;
-  const EndPoint effect = firstOrderBending(cable, h, v, length);
-  end.position += effect.position;
-  end.jacobian += effect.jacobian;
-  return end;
-}
-
-std::optional<ForcesAtA> correctedCatenaryForces(const CableProperties& cable, double length, double x, double y,
-                                                 int* iterations) {
-  std::optional<ForcesAtA> forces = catenaryForces(cable, length, x, y, iterations);
-  if (!forces || cable.bending_stiffness == 0.0) return forces;
-  double last_size = 1.0;
-  for (int i = 0; i < kMaxIterations; ++i) {
-    if (iterations != nullptr) ++*iterations;
-    const EndPoint end = correctedCatenaryEnd(cable, forces->horizontal, forces->vertical, length);
-    const Eigen::Vector2d step = end.jacobian.leftCols<2>().inverse() * (Eigen::Vector2d(x, y) - end.position);
-    const double size = step.norm() / std::hypot(forces->horizontal, forces->vertical);
-    if (!(size < 1.0) || forces->horizontal + step.x() < 0.0) return std::nullopt;
-    forces->horizontal += step.x();
-    forces->vertical += step.y();
-    if (size <= 1e-15 || (size < 1e-7 && size >= 0.5 * last_size)) return forces;
-    last_size = size;
-  }
-  return std::nullopt;
-}
-
 BendingExpansion bendingExpansion(const CableProperties& cable, double h, double v, double length) {
   BendingExpansion effect;
   if (cable.weight == 0.0 || cable.bending_stiffness == 0.0) {
     effect.trusted = true;
     return effect;
   }
-  if (h == 0.0 && v * (v - cable.weight * length) > 0.0) {
-    effect.trusted = true;  // hangs straight down
+  if (!pullsAllAlong(cable, length, {h, v})) return effect;
+  if (!(h > 0.0)) {  // hangs straight down
+    effect.trusted = true;
     return effect;
   }
-  if (!(h > 0.0)) return effect;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   overCable(cable, h, v, length, [&](double u, double ds) {

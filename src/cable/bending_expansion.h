@@ -1,13 +1,11 @@
-// What flexural rigidity does to a catenary, in closed form up to a quadrature: rung 4 of the ladder, and the
-// estimate of what the rungs below it leave out (docs/theory.md section 4).
+// What flexural rigidity does to a catenary, in closed form up to a quadrature: what CATENARY_CORRECTED adds, and the
+// estimate of what the models below BENDING leave out (docs/theory.md section 4).
 //
 // Conventions of docs/conventions.md: forces (H, V) at A, unstrained length L, end (x, y).
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
-#include "cable/catenary.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
 
@@ -17,15 +15,6 @@ namespace cdpr_kinetostatics {
 // cable under tension along a vertical (H = 0, V outside [0, q L]).
 EndPoint firstOrderBending(const CableProperties& cable, double horizontal_force, double vertical_force_a,
                            double length);
-
-// Catenary plus first-order effect; the catenary itself if EI = 0. Needs what firstOrderBending needs.
-EndPoint correctedCatenaryEnd(const CableProperties& cable, double horizontal_force, double vertical_force_a,
-                              double length);
-
-// Problem 2 of the corrected catenary, by Newton's method from the catenary's forces. Empty where there is no
-// catenary, or where the first-order effect is too large to be one. x >= 0.
-std::optional<ForcesAtA> correctedCatenaryForces(const CableProperties& cable, double length, double x, double y,
-                                                 int* iterations = nullptr);
 
 // Displacement of the end by bending with the end layers' own effect, equations (24) and (29).
 struct BendingExpansion {

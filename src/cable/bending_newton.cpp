@@ -6,11 +6,10 @@
 #include <limits>
 
 #include "cable/iteration_schedule.h"
+#include "cable/step_limits.h"
+
 namespace cdpr_kinetostatics {
 namespace {
-
-// Node angles move at most this much in one Newton step [rad].
-constexpr double kMaxAngleStep = 0.7;
 
 // Forces are told apart down to this share of the cable's buckling load.
 constexpr double kLeastForce = 1e-3;
@@ -26,14 +25,9 @@ double sharpestBend(const CableProperties& cable, double length, const ForcesAtA
   return cable.bending_stiffness / t * turn * turn;
 }
 
-bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f) {
-  const double outside = std::max(-f.vertical, f.vertical - cable.weight * length);
-  return f.horizontal > 0.0 || (outside > 0.0 && f.horizontal >= -1e-12 * outside);
-}
-
-BendingOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int max_iterations,
-                      MultipleShooting* shooting) {
-  BendingOutcome outcome;
+SolveOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int max_iterations,
+                    MultipleShooting* shooting) {
+  SolveOutcome outcome;
   bool adapt = true;
   double last_size = std::numeric_limits<double>::infinity();
   for (int i = 0; i < max_iterations; ++i) {
@@ -43,6 +37,7 @@ BendingOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int
     }
     ++outcome.iterations;
     if (!shooting->linearise(adapt)) break;
+    outcome.moment_residual = shooting->momentDefect();
     Eigen::Vector3d change(0.0, 0.0, target.length - shooting->length());
     if (target.goal == Goal::kEndPoint) {
       const Eigen::Matrix<double, 2, 3>& jacobian = shooting->end().jacobian;

@@ -24,13 +24,10 @@ struct NewtonTarget {
   Eigen::Vector2d value = Eigen::Vector2d::Zero();  // (x, y) or (H, V)
 };
 
-BendingOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int max_iterations,
-                      MultipleShooting* shooting);
+SolveOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int max_iterations,
+                    MultipleShooting* shooting);
 
 // (lambda/R)^2 at the point of the catenary that bends most.
 double sharpestBend(const CableProperties& cable, double length, const ForcesAtA& f);
-
-// Pulls all along, within rounding of a vertical cable.
-bool hasTension(const CableProperties& cable, double length, const ForcesAtA& f);
 
 }  // namespace cdpr_kinetostatics

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cable/bending_newton.h"
+#include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -25,18 +26,16 @@ constexpr int kScanBisections = 12;
 constexpr double kScanTolerance = 1e-6;
 
 // Moves the end point from a start until the forces are those asked for.
-BendingOutcome moveEndToForces(const CableProperties& cable, double length, const ForcesAtA& forces,
-                               Eigen::Vector2d end, const SolveLimits& limits, MultipleShooting* shooting) {
-  BendingOutcome outcome = solveBendingForces(cable, length, end.x(), end.y(), limits, shooting);
+SolveOutcome moveEndToForces(const CableProperties& cable, double length, const ForcesAtA& forces, Eigen::Vector2d end,
+                             const SolveLimits& limits, MultipleShooting* shooting) {
+  SolveOutcome outcome = solveBendingForces(cable, length, end.x(), end.y(), limits, shooting);
   const double scale = std::max(std::hypot(forces.horizontal, forces.vertical), cable.weight * length);
   double reach = kLongestMove * length;
   for (int i = 0; i < kMaxPositionIterations && outcome.status.ok(); ++i) {
     const Eigen::Vector2d missing(forces.horizontal - shooting->horizontalForce(),
                                   forces.vertical - shooting->verticalForceA());
     if (missing.norm() <= 1e-3 * scale) {
-      const BendingOutcome last = followBendingPosition(length, forces, limits, shooting);
-      outcome.iterations += last.iterations;
-      outcome.status = last.status;
+      outcome.then(followBendingPosition(length, forces, limits, shooting));
       return outcome;
     }
     Eigen::Vector2d step = shooting->end().jacobian.leftCols<2>() * missing;
@@ -44,8 +43,8 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
     if (end.x() + step.x() < 0.0) step *= 0.5 * end.x() / -step.x();
     if (step.norm() < kShortestMove * length) break;
     const MultipleShooting last = *shooting;
-    const BendingOutcome local = followBendingForces(length, end.x() + step.x(), end.y() + step.y(), limits, shooting);
-    outcome.iterations += local.iterations;
+    const SolveOutcome local = followBendingForces(length, end.x() + step.x(), end.y() + step.y(), limits, shooting);
+    outcome.count(local);
     if (local.status.code == Code::kTimedOut) {
       outcome.status = local.status;
       return outcome;
@@ -68,12 +67,12 @@ BendingOutcome moveEndToForces(const CableProperties& cable, double length, cons
 
 // Problem 1 of a cable of few bending layers: every equilibrium under the forces is a start angle at A whose shot
 // ends without moment, so all of them are found by looking around. The first sagging one is taken.
-BendingOutcome scanStartAngles(const CableProperties& cable, double length, const ForcesAtA& forces,
-                               const SolveLimits& limits, MultipleShooting* shooting) {
+SolveOutcome scanStartAngles(const CableProperties& cable, double length, const ForcesAtA& forces,
+                             const SolveLimits& limits, MultipleShooting* shooting) {
   const auto momentAtB = [&](double angle) {
     return shooting->startFromAngle(cable, length, forces.horizontal, forces.vertical, angle, kScanTolerance);
   };
-  BendingOutcome outcome;
+  SolveOutcome outcome;
   outcome.status = {Code::kNotConverged, "no sagging shape of the cable carries these forces"};
   double angle = -M_PI;
   std::optional<double> moment = momentAtB(angle);
@@ -99,9 +98,9 @@ BendingOutcome scanStartAngles(const CableProperties& cable, double length, cons
                                     limits.tolerance)) {
         continue;
       }
-      const BendingOutcome local =
+      const SolveOutcome local =
           newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, limits, kMaxNewtonIterations, shooting);
-      outcome.iterations += local.iterations;
+      outcome.count(local);
       const bool found = local.status.ok() && shooting->end().position.x() >= 0.0 && onSaggingBranch(*shooting);
       if (found || local.status.code == Code::kTimedOut) outcome.status = local.status;
     }
@@ -111,19 +110,19 @@ BendingOutcome scanStartAngles(const CableProperties& cable, double length, cons
 
 // Problem 1 of a loop: pulled open by more horizontal force it bends as gently as its catenary; the force is then
 // lowered to that asked for.
-BendingOutcome closeLoop(const CableProperties& cable, double length, const ForcesAtA& forces,
-                         const SolveLimits& limits, MultipleShooting* shooting) {
+SolveOutcome closeLoop(const CableProperties& cable, double length, const ForcesAtA& forces, const SolveLimits& limits,
+                       MultipleShooting* shooting) {
   const double open = std::cbrt(cable.bending_stiffness * cable.weight * cable.weight / kSafeBend);
   shooting->start(cable, length, open, forces.vertical, limits.tolerance);
-  BendingOutcome outcome = followBendingPosition(length, {open, forces.vertical}, limits, shooting);
+  SolveOutcome outcome = followBendingPosition(length, {open, forces.vertical}, limits, shooting);
   MultipleShooting last = *shooting;
   double share = 0.0;
   double step = 0.25;
   for (int i = 0; i < kMaxLoopSteps && outcome.status.ok() && share < 1.0; ++i) {
     const double next = std::min(1.0, share + step);
     const ForcesAtA at{open + next * (forces.horizontal - open), forces.vertical};
-    const BendingOutcome local = followBendingPosition(length, at, limits, shooting);
-    outcome.iterations += local.iterations;
+    const SolveOutcome local = followBendingPosition(length, at, limits, shooting);
+    outcome.count(local);
     if (local.status.code == Code::kTimedOut) outcome.status = local.status;
     if (local.status.ok() && shooting->end().position.x() >= -1e-12 * length && onSaggingBranch(*shooting)) {
       last = *shooting;
@@ -142,8 +141,8 @@ BendingOutcome closeLoop(const CableProperties& cable, double length, const Forc
 
 // Problem 1 through problem 2, from several end points in turn: a strut, nearly straight, if the cable is
 // pushed hard; loops whose legs share the weight, from wide to narrow.
-BendingOutcome searchEndOfForces(const CableProperties& cable, double length, const ForcesAtA& forces,
-                                 const SolveLimits& limits, MultipleShooting* shooting) {
+SolveOutcome searchEndOfForces(const CableProperties& cable, double length, const ForcesAtA& forces,
+                               const SolveLimits& limits, MultipleShooting* shooting) {
   std::vector<Eigen::Vector2d> starts;
   const double buckling = cable.bending_stiffness * std::pow(M_PI / length, 2);
   const Eigen::Vector2d push(-forces.horizontal, forces.vertical - 0.5 * cable.weight * length);
@@ -156,42 +155,41 @@ BendingOutcome searchEndOfForces(const CableProperties& cable, double length, co
   for (const double share : {0.5, 0.9, 0.98, 0.2, 0.05, 0.01}) {
     starts.emplace_back(share * std::sqrt(length * length - height * height), height);
   }
-  BendingOutcome outcome;
-  int iterations = 0;
+  SolveOutcome outcome;
   for (const Eigen::Vector2d& start : starts) {
-    outcome = moveEndToForces(cable, length, forces, start, limits, shooting);
-    iterations += outcome.iterations;
+    outcome.then(moveEndToForces(cable, length, forces, start, limits, shooting));
     if (outcome.status.ok() || outcome.status.code == Code::kTimedOut) break;
   }
-  outcome.iterations = iterations;
   return outcome;
 }
 
 }  // namespace
 
-BendingOutcome followBendingPosition(double length, const ForcesAtA& forces, const SolveLimits& limits,
-                                     MultipleShooting* shooting) {
+SolveOutcome followBendingPosition(double length, const ForcesAtA& forces, const SolveLimits& limits,
+                                   MultipleShooting* shooting) {
   return newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, limits, kMaxNewtonIterations, shooting);
 }
 
-BendingOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
-                                    const SolveLimits& limits, MultipleShooting* shooting) {
-  if (hasTension(cable, length, forces) && sharpestBend(cable, length, forces) < kSharpBend) {
+SolveOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
+                                  const SolveLimits& limits, MultipleShooting* shooting) {
+  SolveOutcome outcome;
+  if (pullsAllAlong(cable, length, forces) && sharpestBend(cable, length, forces) < kSharpBend) {
     shooting->start(cable, length, forces.horizontal, forces.vertical, limits.tolerance);
-    const BendingOutcome outcome = followBendingPosition(length, forces, limits, shooting);
+    outcome.then(followBendingPosition(length, forces, limits, shooting));
     if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
   }
   const double force = std::max(std::hypot(forces.horizontal, forces.vertical),
                                 std::hypot(forces.horizontal, forces.vertical - cable.weight * length));
   if (length * std::sqrt(force / cable.bending_stiffness) < kScanLayers) {
-    const BendingOutcome outcome = scanStartAngles(cable, length, forces, limits, shooting);
+    outcome.then(scanStartAngles(cable, length, forces, limits, shooting));
     if (outcome.status.code != Code::kNotConverged) return outcome;
   }
   if (forces.vertical > 0.0 && forces.vertical < cable.weight * length) {
-    const BendingOutcome outcome = closeLoop(cable, length, forces, limits, shooting);
+    outcome.then(closeLoop(cable, length, forces, limits, shooting));
     if (outcome.status.code != Code::kNotConverged) return outcome;
   }
-  return searchEndOfForces(cable, length, forces, limits, shooting);
+  outcome.then(searchEndOfForces(cable, length, forces, limits, shooting));
+  return outcome;
 }
 
 }  // namespace cdpr_kinetostatics

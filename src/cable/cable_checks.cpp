@@ -103,4 +103,20 @@ Status checkEndsApart(double x, double y) {
 
 Status checkForce(const Field& field, double force) { return checkWithin(field, force, kLargestForce, "N"); }
 
+Status cannotReach(double length, double chord) {
+  return {Code::kInfeasible, named("an inextensible cable of length", length, "m") + " cannot reach " +
+                                 named("a chord of", chord, "m") + ": lengthen it, or use an elastic model"};
+}
+
+Status carriesNoCompression(double horizontal_force) {
+  return {Code::kInfeasible, named("horizontal_force", horizontal_force, "N") +
+                                 " is compression, which only a cable with bending stiffness can carry: use a bending "
+                                 "model"};
+}
+
+Status belowLeastTension(double tension_a, double least_tension) {
+  return {Code::kInfeasible, named("tension_a", tension_a, "N") + " is below the least tension that can hold this " +
+                                 named("cable, T", least_tension, "N") + ": ask for more tension or move the ends"};
+}
+
 }  // namespace cdpr_kinetostatics

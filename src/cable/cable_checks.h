@@ -59,6 +59,12 @@ Status checkEnd(double x, double y);
 Status checkEndsApart(double x, double y);
 Status checkForce(const Field& field, double force);
 
+// What several kinds of cables refuse: an inextensible one that is too short, compression where nothing can carry it,
+// and problem 3 with less tension than it takes to hold the cable.
+Status cannotReach(double length, double chord);
+Status carriesNoCompression(double horizontal_force);
+Status belowLeastTension(double tension_a, double least_tension);
+
 // The first refusal among checks, or CONVERGED.
 template <typename... Checks>
 Status firstRefusal(const Checks&... checks) {

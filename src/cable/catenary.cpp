@@ -5,10 +5,25 @@
 #include <cmath>
 #include <limits>
 
+#include "cable/cable_checks.h"
+
 namespace cdpr_kinetostatics {
 namespace {
 
+// Bounds the time: from the starts below Newton's method takes a few on this convex energy.
 constexpr int kMaxNewtonIterations = 100;
+
+// A step of the forces [share of the tension] below the first is rounding; one below the second that no longer shrinks
+// is, too. Below the third there is no line search: slopes would be rounding.
+constexpr double kRoundingStep = 1e-15;
+constexpr double kSmallStep = 1e-7;
+constexpr double kNoSearch = 1e-9;
+
+// The horizontal force keeps this share of itself in a step; a step has gone too far where the energy rises with more
+// than this share of the slope with which it fell; it is never shortened below the last.
+constexpr double kLeastShare = 0.1;
+constexpr double kOvershoot = 0.9;
+constexpr double kShortestStep = 1e-6;
 
 // The quantities that every formula shares: vertical force u at A and v at B, tensions at both.
 struct Ends {
@@ -69,17 +84,15 @@ ForcesAtA inextensibleForces(double weight, double length, double x, double y) {
 }
 
 // x = 0: the cable hangs along the vertical, y(V) is piecewise linear and decreasing.
-std::optional<ForcesAtA> verticalForces(const CableProperties& cable, double length, double y) {
+ForcesAtA verticalForces(const CableProperties& cable, double length, double y) {
   const double half = 0.5 * cable.weight * length;
   const double compliance = length / cable.axial_stiffness;
-  if (std::isinf(cable.axial_stiffness) && std::abs(y) >= length) return std::nullopt;
   if (cable.weight > 0.0) {
     const double slack = (half * compliance + length - y) / (compliance + 2.0 / cable.weight);
-    if (slack >= 0.0 && slack <= 2.0 * half) return ForcesAtA{0.0, slack};
+    if (slack >= 0.0 && slack <= 2.0 * half) return {0.0, slack};
   }
   const double taut = std::abs(y) - length;
-  if (cable.weight == 0.0 && taut <= 0.0) return std::nullopt;
-  return ForcesAtA{0.0, half - std::copysign(taut / compliance, y)};
+  return {0.0, half - std::copysign(taut / compliance, y)};
 }
 
 ForcesAtA initialForces(const CableProperties& cable, double length, double x, double y) {
@@ -87,6 +100,26 @@ ForcesAtA initialForces(const CableProperties& cable, double length, double x, d
   const double t = tautTension(cable, length, x, chord);
   if (length > chord && cable.weight * x > 1.5 * t) return inextensibleForces(cable.weight, length, x, y);
   return {t * x / chord, -t * y / chord + 0.5 * cable.weight * length};
+}
+
+// Line search of the Newton step of (H, V), on the slope of the energy along it. Moves the forces; the end under them.
+EndPoint searchAlong(const CableProperties& cable, double length, const Eigen::Vector2d& goal,
+                     const Eigen::Vector2d& defect, const Eigen::Vector2d& step, double tension, ForcesAtA* forces) {
+  const Eigen::Vector2d along(step.x(), -step.y());
+  const double slope = defect.dot(along);
+  double t = 1.0;
+  if (forces->horizontal + step.x() < kLeastShare * forces->horizontal) {
+    t = (kLeastShare - 1.0) * forces->horizontal / step.x();
+  }
+  for (;; t *= 0.5) {
+    const ForcesAtA trial{forces->horizontal + t * step.x(), forces->vertical + t * step.y()};
+    const EndPoint end = catenaryEnd(cable, trial.horizontal, trial.vertical, length);
+    const bool overshoot = -(goal - end.position).dot(along) > kOvershoot * slope;
+    if (!overshoot || t < kShortestStep || step.norm() < kNoSearch * tension) {
+      *forces = trial;
+      return end;
+    }
+  }
 }
 
 }  // namespace
@@ -124,44 +157,45 @@ double catenaryStrainedLength(const CableProperties& cable, double h, double v_a
   return length + 0.5 * (mean + loop) / cable.axial_stiffness;
 }
 
-std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double y,
-                                        int* iterations) {
+SolveOutcome solveCatenaryForces(const CableProperties& cable, double length, double x, double y, ForcesAtA* forces) {
   const double chord = std::hypot(x, y);
-  if (iterations != nullptr) *iterations = 0;
-  if (std::isinf(cable.axial_stiffness) && chord >= length) return std::nullopt;
-  if (cable.weight == 0.0 && chord <= length) return std::nullopt;
-  if (x == 0.0) return verticalForces(cable, length, y);
+  if (std::isinf(cable.axial_stiffness) && length <= chord) return {cannotReach(length, chord)};
+  if (cable.weight == 0.0 && length >= chord) {
+    return {{Code::kInfeasible,
+             "a slack cable without weight and bending stiffness has no defined shape: give it a linear density"}};
+  }
+  if (x == 0.0) {
+    *forces = verticalForces(cable, length, y);
+    return {{Code::kConverged, ""}};
+  }
 
   // f = (H, -V); the end point (x, y) is the gradient of the complementary energy with respect to f.
-  ForcesAtA forces = initialForces(cable, length, x, y);
-  EndPoint end = catenaryEnd(cable, forces.horizontal, forces.vertical, length);
+  SolveOutcome outcome{{Code::kNotConverged, "the catenary's forces were not found"}};
+  *forces = initialForces(cable, length, x, y);
+  EndPoint end = catenaryEnd(cable, forces->horizontal, forces->vertical, length);
   double last_step = std::numeric_limits<double>::infinity();
-  for (int i = 1; i <= kMaxNewtonIterations; ++i) {
-    if (iterations != nullptr) *iterations = i;
+  while (outcome.iterations < kMaxNewtonIterations) {
+    ++outcome.iterations;
     const Eigen::Vector2d defect(x - end.position.x(), y - end.position.y());
+    outcome.closure_residual = defect.norm();
     const Eigen::Matrix2d compliance = end.jacobian.leftCols<2>();
     const Eigen::Vector2d step = compliance.inverse() * defect;  // of (H, V)
-    if (!step.allFinite()) return std::nullopt;
-    const double tension = std::hypot(forces.horizontal, forces.vertical) + cable.weight * length;
+    if (!step.allFinite()) break;
+    const double tension = forces->tension() + cable.weight * length;
     const double size = step.norm();
-    const double slope = defect.dot(Eigen::Vector2d(step.x(), -step.y()));
-
-    double t = 1.0;
-    if (forces.horizontal + step.x() < 0.1 * forces.horizontal) t = -0.9 * forces.horizontal / step.x();
-    for (;; t *= 0.5) {
-      const ForcesAtA trial{forces.horizontal + t * step.x(), forces.vertical + t * step.y()};
-      end = catenaryEnd(cable, trial.horizontal, trial.vertical, length);
-      const Eigen::Vector2d left(x - end.position.x(), y - end.position.y());
-      const bool overshoot = -left.dot(Eigen::Vector2d(step.x(), -step.y())) > 0.9 * slope;
-      if (!overshoot || t < 1e-6 || size < 1e-9 * tension) {
-        forces = trial;
-        break;
-      }
+    end = searchAlong(cable, length, {x, y}, defect, step, tension, forces);
+    if (size <= kRoundingStep * tension || (size < kSmallStep * tension && size >= 0.5 * last_step)) {
+      outcome.status = {Code::kConverged, ""};
+      break;
     }
-    if (size <= 1e-15 * tension || (size < 1e-7 * tension && size >= 0.5 * last_step)) return forces;
     last_step = size;
   }
-  return std::nullopt;
+  return outcome;
+}
+
+std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double y) {
+  ForcesAtA forces;
+  return solveCatenaryForces(cable, length, x, y, &forces).ok() ? std::optional(forces) : std::nullopt;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -4,21 +4,14 @@
 // An infinite axial stiffness gives the inextensible catenary. EI is not looked at.
 #pragma once
 
-#include <cmath>
 #include <optional>
 
+#include "cable/forces_at_a.h"
+#include "cable/solve_outcome.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
 
 namespace cdpr_kinetostatics {
-
-struct ForcesAtA {
-  double horizontal = 0.0;  // H [N]
-  double vertical = 0.0;    // V [N]
-
-  // H < 0, by more than the rounding of a vertical cable's.
-  bool push() const { return horizontal < -1e-12 * std::abs(vertical); }
-};
 
 // Needs T > 0 along the cable: not (H = 0 and 0 <= V <= q L).
 EndPoint catenaryEnd(const CableProperties& cable, double horizontal_force, double vertical_force_a, double length);
@@ -34,10 +27,12 @@ double catenaryAngle(const CableProperties& cable, double horizontal_force, doub
 double catenaryStrainedLength(const CableProperties& cable, double horizontal_force, double vertical_force_a,
                               double length);
 
-// Problem 2. The end point is the gradient of the (strictly convex) complementary energy of the force, so
-// a damped Newton method finds the one answer from anywhere. x >= 0. Empty where there is no answer: an
-// inextensible cable not longer than the chord, or a weightless cable that is slack.
-std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double y,
-                                        int* iterations = nullptr);
+// Problem 2. The end point is the gradient of the (strictly convex) complementary energy of the force, so a damped
+// Newton method finds the one answer from anywhere. x >= 0. Infeasible where there is no answer: an inextensible cable
+// not longer than the chord, or a weightless cable that is slack.
+SolveOutcome solveCatenaryForces(const CableProperties& cable, double length, double x, double y, ForcesAtA* forces);
+
+// The same for those to whom the catenary is only a start: its forces, if it has any.
+std::optional<ForcesAtA> catenaryForces(const CableProperties& cable, double length, double x, double y);
 
 }  // namespace cdpr_kinetostatics

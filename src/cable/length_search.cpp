@@ -6,13 +6,29 @@
 namespace cdpr_kinetostatics {
 namespace {
 
+// Bounds of the time. The curve is followed in growing steps, of which a few dozen span it; a bracket is halved at
+// least every other time, which exhausts a double's digits; Newton's method from a good hint doubles its digits in each
+// step.
 constexpr int kMaxSamples = 400;
 constexpr int kMaxRefinements = 100;
 constexpr int kMaxHintSteps = 8;
+
+// A root that is this near to the hint [share of it] is the hint itself but for rounding on the way here.
 constexpr double kAtHint = 1e-9;
 
 // Growth of |L/chord - 1| from one sample of the curve to the next.
 constexpr double kGrowth = 0.2;
+
+// An inextensible cable whose sag is below this share of its chord is a string.
+constexpr double kStringSag = 1e-12;
+
+// A hint that is longer than the chord by more than this share means a length other than the chord.
+constexpr double kLonger = 1e-9;
+
+// Without weight nothing limits a length: it is looked for up to so many chords. With weight, a loop hangs with T_A or
+// more from either end, beside twice the chord; its length is searched with a margin of a fifth.
+constexpr double kMostChords = 4.0;
+constexpr double kMargin = 1.2;
 
 // Root of value(sample), which changes sign between a and b: Newton's method kept inside the bracket.
 // value_slope returns the function and its derivative with respect to length (0 if unknown: bisect).
@@ -45,6 +61,19 @@ std::optional<TensionSample> refine(const TensionCurve& curve, TensionSample a, 
 double accepted(const LengthSearch& search) { return 0.01 * search.tolerance * search.tension; }
 
 }  // namespace
+
+bool isString(const CableProperties& cable, double x, double y, double tension_a, double length_hint) {
+  if (std::isfinite(cable.axial_stiffness)) return false;
+  const double chord = std::hypot(x, y);
+  const double sag = std::pow(cable.weight * x / tension_a, 2) / 24.0;
+  const double hanging = x == 0.0 && y < 0.0 ? cable.weight * chord : 0.0;
+  return sag <= kStringSag && tension_a >= hanging && length_hint <= (1.0 + kLonger) * chord;
+}
+
+double longestSagging(double weight, double chord, double tension_a) {
+  if (weight == 0.0) return kMostChords * chord;
+  return 2.0 * chord + kMargin * (2.0 * tension_a / weight + chord);
+}
 
 std::optional<double> rootNearHint(const TensionCurve& curve, const LengthSearch& search) {
   double length = search.hint;

@@ -9,7 +9,16 @@
 #include <functional>
 #include <optional>
 
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+
 namespace cdpr_kinetostatics {
+
+// An inextensible cable stretched like a string: its sag is below rounding, so its length is its chord, and its forces
+// do not follow from its length. A hint that is longer asks for another length. Needs x >= 0 and tension_a > 0.
+bool isString(const CableProperties& cable, double x, double y, double tension_a, double length_hint);
+
+// No cable that sags is longer than this with this tension at A: its own weight would pull harder [m].
+double longestSagging(double weight, double chord, double tension_a);
 
 struct TensionSample {
   double length = 0.0;   // [m]

@@ -6,22 +6,16 @@
 #include <limits>
 
 #include "cable/bending_expansion.h"
-#include "cable/cable_evaluation.h"
 #include "cable/catenary.h"
-#include "cable/straight.h"
+#include "cable/sagging_cable.h"
+#include "cable/straight_cable.h"
+#include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
 // Forces that change by more than this share do not change in proportion to what changes them.
 constexpr double kLinear = 0.1;
-
-double withoutRounding(double h, double v) { return ForcesAtA{h, v}.push() ? h : std::max(h, 0.0); }
-
-// The catenary needs a tension all along the cable.
-bool hangs(const CableProperties& cable, double length, double h, double v) {
-  return h > 0.0 || (h == 0.0 && (v < 0.0 || v > cable.weight * length));
-}
 
 Eigen::Matrix2d inverseOrZero(const Eigen::Matrix2d& compliance) {
   const Eigen::Matrix2d inverse = compliance.inverse();
@@ -62,8 +56,7 @@ RungError lineBetweenEnds(const CableProperties& cable, const CableSolution& lin
 
 RungError rungError(const CableProperties& cable, const CableSolution& solution) {
   const Model model = solution.model;
-  const double v = solution.vertical_force_a;
-  const double h = withoutRounding(solution.horizontal_force, v);
+  const auto [h, v] = withoutRounding({solution.horizontal_force, solution.vertical_force_a});
   const double length = solution.length;
   CableProperties stretching = cable;
   if (!(cable.axial_stiffness > 0.0)) stretching.axial_stiffness = std::numeric_limits<double>::infinity();
@@ -71,7 +64,7 @@ RungError rungError(const CableProperties& cable, const CableSolution& solution)
     return errorOf(Eigen::Vector2d::Zero(), solution.force_jacobian.leftCols<2>(), true, solution.tension_a, length);
   }
   if (model == Model::kStraightElastic) return lineBetweenEnds(stretching, solution);
-  if (!hangs(stretching, length, h, v)) {
+  if (!pullsAllAlong(stretching, length, {h, v})) {
     const double strain = solution.tension_a / stretching.axial_stiffness;
     return errorOf(strain * Eigen::Vector2d(solution.x, solution.y), solution.force_jacobian.leftCols<2>(),
                    isBending(model), solution.tension_a, length);
@@ -93,10 +86,10 @@ RungError rungError(const CableProperties& cable, const CableSolution& solution)
   return errorOf(end, inverseOrZero(catenary.jacobian.leftCols<2>()), known, solution.tension_a, length);
 }
 
-RungErrors rungErrors(const CableProperties& cable, double length, double horizontal_force, double v) {
+RungErrors rungErrors(const CableProperties& cable, double length, double horizontal_force, double vertical_force_a) {
   RungErrors errors;
-  const double h = withoutRounding(horizontal_force, v);
-  if (!hangs(cable, length, h, v)) {
+  const auto [h, v] = withoutRounding({horizontal_force, vertical_force_a});
+  if (!pullsAllAlong(cable, length, {h, v})) {
     for (RungError& error : errors) error.known = false;
     errors.back().known = true;
     return errors;

@@ -8,9 +8,9 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "cable/auto_policy.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
-#include "cdpr_kinetostatics/cable/model.h"
 
 namespace cdpr_kinetostatics {
 
@@ -22,14 +22,6 @@ struct RungError {
   // bends, compression.
   bool known = true;
 };
-
-// The rungs that AUTO chooses from, coarsest first. Those without stretch cost as much as those with it.
-constexpr int kAutoRungCount = 4;
-constexpr std::array<Model, kAutoRungCount> kAutoRungs = {Model::kStraightElastic, Model::kCatenary,
-                                                          Model::kCatenaryCorrected, Model::kBending};
-
-// AUTO lets a rung's estimated error take this share of the accuracy asked for: estimates are to leading order.
-constexpr double kAutoShare = 0.5;
 
 // Of a solved cable; EA and EI are those of the description, whatever the solution's rung saw of them.
 RungError rungError(const CableProperties& cable, const CableSolution& solution);

@@ -1,18 +1,34 @@
-// One cable of any rung as the coupled solvers of the robot see it: under forces (H, V) at A and with length
-// L, where does it end, to first order in changes of (H, V, L)?
+// One cable of any model: under forces (H, V) at A and with length L, where does it end, to first order in changes of
+// (H, V, L)? What robots, the estimator and the three problems of a cable hold, each a copy of its own to write to.
 //
-// Catenaries and straight lines answer in closed form. A bending cable takes one Newton step of its nodes
-// per linearisation, so that nodes, forces and pose converge together. A workspace: one per cable and solve.
+// Behind it stands one kind of cable, a class of two files, chosen once, by the factory in sagging_cable.cpp: that is
+// the only place that asks which model it is. Each kind holds its own (H, V, L), once, and has the members that are
+// listed here; what makes it different (a line has no shape of its own, an inextensible string no length but its chord,
+// only bending stiffness carries compression) is its own business. A copy of a cable to one of the same kind takes
+// nothing from the heap that the other does not have already.
 #pragma once
 
-#include "cable/bending.h"
-#include "cable/multiple_shooting.h"
+#include <Eigen/Core>
+#include <variant>
+
+#include "cable/bending_cable.h"
+#include "cable/catenary_cable.h"
+#include "cable/corrected_catenary_cable.h"
+#include "cable/forces_at_a.h"
+#include "cable/solve_outcome.h"
+#include "cable/straight_cable.h"
+#include "cable/tautness.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
 #include "cdpr_kinetostatics/cable/model.h"
+#include "cdpr_kinetostatics/cable/solve_limits.h"
 
 namespace cdpr_kinetostatics {
+
+// The properties that the model sees: an infinite axial stiffness for the inextensible models, no bending stiffness
+// where bending is left out.
+CableProperties asSeenBy(Model model, const CableProperties& cable);
 
 class SaggingCable {
  public:
@@ -22,12 +38,23 @@ class SaggingCable {
   // Starts the shape from the catenary under these forces. The cable must be under tension.
   void start(double length, const ForcesAtA& forces);
 
-  // Starts from the equilibrium between the given ends: problem 2, on the sagging branch.
-  Status startBetween(double length, double x, double y, const SolveLimits& options);
+  // Problem 1, from nothing: starts from the equilibrium under the given forces.
+  SolveOutcome startUnder(double length, const ForcesAtA& forces, const SolveLimits& limits);
+
+  // Problem 2, from nothing: starts from the equilibrium between the given ends, on the sagging branch.
+  SolveOutcome startBetween(double length, double x, double y, const SolveLimits& limits);
+  // The same from the equilibrium that the cable holds already, to an end and a length nearby.
+  SolveOutcome followBetween(double length, double x, double y, const SolveLimits& limits);
+
+  // What problem 3 asks of a kind: whether its length is its chord whatever the tension, from which length on it is
+  // followed, and up to where.
+  bool lengthIsChord(double x, double y, double tension_a, double length_hint) const;
+  bool startsFromCatenary() const;
+  double longestLength(double chord, double tension_a) const;
 
   // adapt: choose integration steps anew. False: the cable cannot be evaluated here.
   bool linearise(bool adapt);
-  const EndPoint& end() const { return end_; }
+  const EndPoint& end() const;
 
   // Damping that keeps the next step within reach of Newton's method, in (0, 1].
   double dampingFor(const Eigen::Vector3d& change) const;
@@ -45,28 +72,28 @@ class SaggingCable {
 
   // True if the equilibrium is the sagging, stable one.
   bool onBranch() const;
-  bool pushes() const { return forces_.push(); }
+  bool pushes() const { return cdpr_kinetostatics::pushes(forces()); }
 
-  double horizontalForce() const { return forces_.horizontal; }
-  double verticalForceA() const { return forces_.vertical; }
-  double length() const { return length_; }
-  double tensionA() const;
-  const CableProperties& properties() const { return seen_; }
+  ForcesAtA forces() const;
+  double horizontalForce() const { return forces().horizontal; }
+  double verticalForceA() const { return forces().vertical; }
+  double tensionA() const { return forces().tension(); }
+  double length() const;
+  const CableProperties& properties() const;
   Model model() const { return model_; }
+  // All integration so far.
+  IntegrationWork work() const;
 
   // The converged cable with all its measures; (x, y) is the end asked for.
   CableSolution describe(double x, double y, int profile_points) const;
 
  private:
-  bool bends() const { return isBending(model_) && seen_.bending_stiffness > 0.0; }
+  using Kind = std::variant<StraightCable, CatenaryCable, CorrectedCatenaryCable, BendingCable>;
 
-  CableProperties seen_;
-  Model model_ = Model::kBending;
-  double tolerance_ = 1e-8;
-  double length_ = 0.0;
-  ForcesAtA forces_;
-  EndPoint end_;
-  MultipleShooting shooting_;
+  static Kind kindOf(const CableProperties& seen, Model model, double tolerance);
+
+  Model model_ = Model::kDefault;
+  Kind kind_;
 };
 
 }  // namespace cdpr_kinetostatics

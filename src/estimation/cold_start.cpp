@@ -2,17 +2,11 @@
 
 #include <cmath>
 
+#include "cable/tautness.h"
 #include "robot/basin_search.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
-namespace {
-
-// Longer than the chord by this factor, a cable takes its forces from its length: they say more than the tension.
-constexpr double kSlack = 1.05;
-
-}  // namespace
-
 RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iterations) {
   const RobotDescription& robot = measured.robot;
   RobotForces start;
@@ -29,7 +23,7 @@ RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iter
     if (!tension || *tension <= 0.5 * weight) continue;  // as slack as its length makes it
     const CablePlane plane = cablePlane(robot.cables[i], start.pose);
     const double chord = std::hypot(plane.x, plane.y);
-    if (lengths[i] > kSlack * chord) continue;
+    if (lengths[i] > kSlackExcess * chord) continue;  // its forces follow from its length, better than from the tension
     start.forces[i] = {*tension * distanceBeside(plane.x, lengths[i]) / chord,
                        0.5 * weight - *tension * plane.y / chord};
   }

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "cable/auto_policy.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -11,11 +12,6 @@ namespace {
 
 // A direction of the unknowns counts as fixed if more than this share of it is seen.
 constexpr double kRank = 1e-9;
-
-// An error of a rung below this many standard deviations does not show; that of one coarser than the rung in use must
-// be below this share of it.
-constexpr double kInvisible = 0.1;
-constexpr double kCoarserShare = 0.5;
 
 Eigen::Index count(const std::vector<bool>& flags) { return std::count(flags.begin(), flags.end(), true); }
 

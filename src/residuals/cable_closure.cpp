@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "cable/bending.h"
-#include "cable/cable_evaluation.h"
 #include "cable/sagging_cable.h"
 #include "geometry/cable_plane.h"
 #include "geometry/spatial.h"

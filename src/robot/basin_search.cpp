@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "cable/cable_evaluation.h"
+#include "cable/sagging_cable.h"
+#include "cable/tautness.h"
 #include "robot/platform_statics.h"
 #include "robot/residual_blocks.h"
 #include "robot/spring_platform.h"
@@ -73,7 +74,7 @@ ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& 
   const CablePlane plane = cablePlane(cable, pose);
   const double chord = std::hypot(plane.x, plane.y);
   const double cable_weight = cable.properties.weight * length;
-  if (length > 1.0001 * chord && cable_weight > 0.0) {
+  if (length > kSurelyLonger * chord && cable_weight > 0.0) {
     const CableProperties seen = asSeenBy(Model::kCatenary, cable.properties);
     const auto catenary = catenaryForces(seen, length, std::max(plane.x, 1e-3 * length), plane.y);
     if (catenary && catenary->horizontal > 0.0) return *catenary;

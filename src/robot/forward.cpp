@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "cable/cable_evaluation.h"
 #include "cable/catenary.h"
+#include "cable/tautness.h"
 #include "robot/basin_search.h"
 #include "robot/coupled_newton.h"
 #include "robot/platform_error.h"
@@ -19,9 +19,6 @@ namespace cdpr_kinetostatics {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// Beyond this excess of length over chord a bending cable's shape is found by its own problem 2.
-constexpr double kOwnShapeExcess = 1.02;
 
 // The search from a seed is left out where Newton's method takes no longer than this and the pose moves no farther.
 constexpr int kNearbyIterations = 10;
@@ -112,7 +109,7 @@ class ForwardSolve {
   // Newton's method on the cables' rungs. A bending cable longer than its chord by the factor own_shape starts from its
   // own problem 2.
   Status refine(const RobotForces& start, int max_iterations = CoupledOptions().max_iterations,
-                double own_shape = kOwnShapeExcess) {
+                double own_shape = kHangingExcess) {
     state_.pose = start.pose;
     state_.cables.clear();
     for (std::size_t i = 0; i < robot_.cables.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include "cable/tautness.h"
 #include "robot/inverse_solve.h"
 
 namespace cdpr_kinetostatics {
@@ -11,7 +12,6 @@ namespace {
 
 // Below this multiple of its weight a cable may come near the least tension that can hold it.
 constexpr double kNearFold = 3.0;
-constexpr double kLoopExcess = 1.02;  // a fold lies at more length over chord than this
 
 // Largest turn of a free attitude in one iteration.
 constexpr double kMaxTurn = 0.2;  // [rad]
@@ -77,7 +77,7 @@ bool InverseSolve::nearFold(const InverseCable& c, double tension) const {
 
 bool InverseSolve::beyondFold(const InverseCable& c) const {
   return !isStraight(options_.model) && c.by_tension.z() > 0.0 &&
-         c.cable.length() >= kLoopExcess * std::hypot(c.plane.x, c.plane.y);
+         c.cable.length() >= kHangingExcess * std::hypot(c.plane.x, c.plane.y);
 }
 
 // A tension below the least one that can hold its cable has no length: raises the limit where that would be

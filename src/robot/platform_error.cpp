@@ -4,22 +4,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "cable/auto_policy.h"
 #include "cable/rung_error.h"
 #include "robot/linear_robot.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
-namespace {
-
-// This share of the accuracy is enough in the end: the estimate at the solution is a little other than the one
-// before it.
-constexpr double kEnough = 0.75;
-
-// Sag is no small effect for a nearly slack line, whose estimate is the rougher.
-constexpr double kEnoughOnLines = 0.4;
-
-}  // namespace
-
 PlatformError platformError(const RobotDescription& robot, const Pose& pose, const std::vector<CableSolution>& cables) {
   PlatformError error;
   LinearRobot linear(robot, pose);

@@ -8,16 +8,6 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// A cable's estimate is to leading order: this share of it counts as uncertain.
-constexpr double kUncertain = 0.2;
-constexpr double kUncertainLine = 0.5;
-
-// AUTO gives up a rung in use only for one that would do for this share of the accuracy.
-constexpr double kKeptShare = 0.5;
-
-// A path goes on for so many states on rungs finer than necessary: a cold start may end on the same again.
-constexpr int kNeedlesslyFine = 50;
-
 double sizeOf(const Wrench& displacement) {
   return std::max(displacement.head<3>().norm(), displacement.tail<3>().norm());
 }

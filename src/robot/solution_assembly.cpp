@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cable/catenary.h"
+#include "cable/tautness.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr double kSlackExcess = 1.05;     // length over chord beyond which a cable counts as slack [-]
 constexpr double kLimitTolerance = 1e-9;  // a tension this near to its limit has reached it, relative [-]
 
 }  // namespace
 
 Condition conditionOf(const CableSolution& cable, double tension_min) {
-  if (ForcesAtA{cable.horizontal_force, cable.vertical_force_a}.push()) return Condition::kCompressed;
+  if (pushes({cable.horizontal_force, cable.vertical_force_a})) return Condition::kCompressed;
   const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.y) ||
                      cable.tension_a < tension_min * (1.0 - kLimitTolerance);
   return slack ? Condition::kSlack : Condition::kTaut;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cable/cable_evaluation.h"
+#include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
 #include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
@@ -92,9 +92,9 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
     const double chord = std::hypot(plane.x, plane.y);
     const double tension = tensions.empty() ? springs[i].tension(chord) : tensions[i];
     const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
-    CableSolution cable =
-        describeClosedForm(robot.cables[i].properties, options.model, request.lengths[i], tension * plane.x / chord,
-                           half_weight - tension * plane.y / chord, plane.x, plane.y, options.profile_points);
+    SaggingCable line(robot.cables[i].properties, options.model, options.tolerance);
+    line.start(request.lengths[i], {tension * plane.x / chord, half_weight - tension * plane.y / chord});
+    CableSolution cable = line.describe(plane.x, plane.y, options.profile_points);
     if (!tensions.empty()) cable.closure_residual = std::abs(chord - request.lengths[i]);
     cables.push_back(cable);
   }

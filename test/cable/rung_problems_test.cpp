@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "known_cables.h"
 #include "random_cables.h"
 
 namespace cdpr_kinetostatics {
@@ -111,6 +113,50 @@ TEST(RoundTrip, Problem3WithoutAHintFindsThisLengthOrAShorterOne) {
     if (!back.status.ok()) continue;
     EXPECT_NEAR(back.tension_a, s.tension_a, 1e-8 * s.tension_a) << held.given;
     EXPECT_LT(back.length, s.length * (1.0 + 1e-6)) << held.given;
+  }
+}
+
+// What a search did before it gave up is what a user needs to see.
+TEST(ARefusedSolve, ReportsItsIterationsAndWhatWasLeft) {
+  // Bending is no small effect for the hanging bar: the corrected catenary is searched for in vain.
+  CableSolverOptions corrected = options();
+  corrected.model = Model::kCatenaryCorrected;
+  const CableSolution bar = findForces(paperBar(), 7.0, 5.0, -2.5, corrected);
+  EXPECT_EQ(bar.status.code, Code::kNotConverged);
+  EXPECT_GT(bar.iterations, 0);
+  EXPECT_GT(bar.closure_residual, 0.0);
+  EXPECT_LT(bar.closure_residual, 7.0);
+
+  // Less tension than it takes to hold the rope: every length was looked at.
+  for (const Model model : {Model::kCatenary, Model::kCatenaryCorrected, Model::kBending}) {
+    CableSolverOptions asked = options();
+    asked.model = model;
+    const CableSolution rope = findLength(steelRope(), 7.0, -4.0, 0.5, 0.0, asked);
+    EXPECT_EQ(rope.status.code, Code::kInfeasible) << modelName(model);
+    EXPECT_GT(rope.iterations, 10) << modelName(model);
+    EXPECT_EQ(rope.integrator_steps > 0, isBending(model)) << modelName(model);
+  }
+}
+
+// An infinite axial stiffness is the inextensible model, in problem 3 as well, taut and sagging.
+TEST(InfiniteAxialStiffness, HasTheLengthsOfTheInextensibleModel) {
+  CableProperties rope = steelRope();
+  rope.axial_stiffness = kInextensible;
+  const std::pair<Model, Model> pairs[] = {{Model::kStraightElastic, Model::kStraight},
+                                           {Model::kCatenary, Model::kCatenaryInextensible},
+                                           {Model::kBending, Model::kBendingInextensible}};
+  for (const auto& [elastic, inextensible] : pairs) {
+    for (const double tension : {6.0, 100.0, 1e7}) {
+      CableSolverOptions asked = options();
+      asked.model = elastic;
+      const CableSolution infinite = findLength(rope, 7.0, -4.0, tension, 0.0, asked);
+      asked.model = inextensible;
+      const CableSolution rung = findLength(rope, 7.0, -4.0, tension, 0.0, asked);
+      ASSERT_TRUE(infinite.status.ok()) << modelName(elastic) << ", " << tension << ": " << infinite.status.message;
+      ASSERT_TRUE(rung.status.ok()) << modelName(inextensible) << ", " << tension << ": " << rung.status.message;
+      EXPECT_EQ(infinite.length, rung.length) << modelName(elastic) << ", " << tension;
+      EXPECT_EQ(infinite.horizontal_force, rung.horizontal_force) << modelName(elastic) << ", " << tension;
+    }
   }
 }
 

@@ -1,0 +1,49 @@
+// The catenary with the effect of bending to first order, equation (24) of docs/theory.md: CATENARY_CORRECTED of a
+// cable with bending stiffness.
+#pragma once
+
+#include "cable/closed_form_cable.h"
+#include "cable/forces_at_a.h"
+#include "cable/length_search.h"
+#include "cable/solve_outcome.h"
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+#include "cdpr_kinetostatics/cable/cable_solution.h"
+#include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/solve_limits.h"
+
+namespace cdpr_kinetostatics {
+
+// Catenary plus first-order effect; the catenary itself if EI = 0. Needs what firstOrderBending needs.
+EndPoint correctedCatenaryEnd(const CableProperties& cable, double horizontal_force, double vertical_force_a,
+                              double length);
+
+class CorrectedCatenaryCable : public ClosedFormCable {
+ public:
+  using ClosedFormCable::ClosedFormCable;
+
+  SolveOutcome startUnder(double length, const ForcesAtA& forces, const SolveLimits& limits);
+
+  // By Newton's method from the catenary's forces, which are nearby wherever the correction is worth anything.
+  SolveOutcome startBetween(double length, double x, double y, const SolveLimits& limits);
+  SolveOutcome followBetween(double length, double x, double y, const SolveLimits& limits) {
+    return startBetween(length, x, y, limits);
+  }
+
+  bool lengthIsChord(double x, double y, double tension_a, double length_hint) const {
+    return isString(properties(), x, y, tension_a, length_hint);
+  }
+  double longestLength(double chord, double tension_a) const {
+    return longestSagging(properties().weight, chord, tension_a);
+  }
+
+  bool linearise(bool adapt);
+
+  CableSolution describe(double x, double y, int profile_points) const;
+
+ private:
+  // Without curvature there is nothing to correct.
+  bool isStraight() const;
+  ProfilePoint pointAt(double s) const;
+};
+
+}  // namespace cdpr_kinetostatics

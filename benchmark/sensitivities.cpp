@@ -171,12 +171,13 @@ struct Walk {
 Walk walk(const Path& path) {
   Walk result;
   CoupledState state = path.start;
+  CoupledNewton newton(path.robot);
   for (const std::vector<double>& lengths : path.lengths) {
     for (std::size_t k = 0; k < lengths.size(); ++k) {
       SaggingCable& cable = state.cables[k];
       cable.step({0.0, 0.0, lengths[k] - cable.length()}, 1.0);
     }
-    const CoupledOutcome outcome = solveCoupled(path.robot, Wrench::Zero(), {kTolerance}, &state);
+    const SearchOutcome outcome = solveCoupled(Wrench::Zero(), {kTolerance}, &newton, &state);
     if (!outcome.status.ok()) throw std::runtime_error(outcome.status.message);
     result.iterations += outcome.iterations;
     result.poses.push_back(state.pose);

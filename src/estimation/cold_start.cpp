@@ -16,7 +16,7 @@ RobotForces coldStart(const MeasuredRobot& measured, const Pose& seed, int* iter
     const CablePlane plane = cablePlane(robot.cables[i], seed);
     lengths.push_back(measured.measurements.lengths[i].value_or(std::hypot(plane.x, plane.y)));
   }
-  static_cast<void>(roughStart(robot, Wrench::Zero(), lengths, measured.deadline, &start, iterations));
+  *iterations += roughStart(robot, Wrench::Zero(), lengths, measured.deadline, &start).iterations;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const std::optional<double>& tension = measured.measurements.tensions[i];
     const double weight = robot.cables[i].properties.weight * lengths[i];

@@ -60,13 +60,14 @@ class StopWhenGoodEnough : public ceres::IterationCallback {
 };
 
 // The stable pose with straight elastic cables nearest to the start.
-Status descendWithSprings(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
-                          std::chrono::steady_clock::time_point deadline, Pose* pose, int* iterations) {
+SearchOutcome descendWithSprings(const RobotDescription& robot, const Wrench& external,
+                                 const std::vector<double>& lengths, std::chrono::steady_clock::time_point deadline,
+                                 Pose* pose) {
   std::vector<Spring> springs;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     springs.push_back({robot.cables[i].properties.axial_stiffness / lengths[i], lengths[i]});
   }
-  return SpringPlatform(robot, &external).descend(springs, kSpringTolerance, deadline, pose, iterations);
+  return SpringPlatform(robot, &external).descend(springs, kSpringTolerance, deadline, pose);
 }
 
 ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& pose, double length) {
@@ -86,19 +87,20 @@ ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& 
 
 }  // namespace
 
-Status roughStart(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
-                  std::chrono::steady_clock::time_point deadline, RobotForces* start, int* iterations) {
-  const Status status = descendWithSprings(robot, external, lengths, deadline, &start->pose, iterations);
+SearchOutcome roughStart(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                         std::chrono::steady_clock::time_point deadline, RobotForces* start) {
+  SearchOutcome outcome = descendWithSprings(robot, external, lengths, deadline, &start->pose);
   start->lengths = lengths;
   start->forces.clear();
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     start->forces.push_back(roughForces(robot, i, start->pose, lengths[i]));
   }
-  return status;
+  return outcome;
 }
 
-Status searchBasin(const RobotDescription& robot, const Wrench& external, Model model, double tolerance,
-                   std::chrono::steady_clock::time_point deadline, RobotForces* state, int* iterations) {
+SearchOutcome searchBasin(const RobotDescription& robot, const Wrench& external, Model model, double tolerance,
+                          std::chrono::steady_clock::time_point deadline, RobotForces* state) {
+  SearchOutcome outcome;
   const std::size_t count = robot.cables.size();
   const Units units{robot.span(), std::max(robot.weight(), external.head<3>().norm())};
   const RobotDescription scaled = inUnits(units, robot);
@@ -145,10 +147,13 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
   options.max_solver_time_in_seconds =
       std::min(1e6, std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count());
   options.callbacks.push_back(&stop);
-  if (options.max_solver_time_in_seconds <= 0.0) return {Code::kTimedOut, "no time was left to look for the pose"};
+  if (options.max_solver_time_in_seconds <= 0.0) {
+    outcome.status = {Code::kTimedOut, "no time was left to look for the pose"};
+    return outcome;
+  }
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  *iterations += static_cast<int>(summary.iterations.size());
+  outcome.iterations = static_cast<int>(summary.iterations.size());
 
   state->pose.position = units.length * position;
   state->pose.orientation = orientation.normalized();
@@ -156,13 +161,15 @@ Status searchBasin(const RobotDescription& robot, const Wrench& external, Model 
     const double x = distanceBeside(cablePlane(robot.cables[i], state->pose).x, state->lengths[i]);
     state->forces[i] = {units.force / units.length * forces[i][0] * x, units.force * forces[i][1]};
   }
+  outcome.residuals = residualsOf(robot, external, model, *state);
   if (std::chrono::steady_clock::now() > deadline) {
-    return {Code::kTimedOut, "the time allowed ran out while looking for the platform's pose"};
+    outcome.status = {Code::kTimedOut, "the time allowed ran out while looking for the platform's pose"};
+  } else if (!summary.IsSolutionUsable() || summary.final_cost > kNoSolution) {
+    outcome.status = {Code::kNotConverged, "no pose was found at which cables of these lengths balance the load"};
+  } else {
+    outcome.status.code = Code::kConverged;
   }
-  if (!summary.IsSolutionUsable() || summary.final_cost > kNoSolution) {
-    return {Code::kNotConverged, "no pose was found at which cables of these lengths balance the load"};
-  }
-  return {Code::kConverged, ""};
+  return outcome;
 }
 
 }  // namespace cdpr_kinetostatics

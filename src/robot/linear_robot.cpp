@@ -1,31 +1,47 @@
 #include "robot/linear_robot.h"
 
-#include <algorithm>
-#include <cmath>
+#include <Eigen/Cholesky>
 
 namespace cdpr_kinetostatics {
+namespace {
 
-LinearRobot::LinearRobot(const RobotDescription& robot, const Pose& pose)
-    : radius_(robot.lever()), rigid_(robot.type == PlatformType::kRigidBody), stiffness_(weightStiffness(robot, pose)) {
-  if (rigid_) scale_.tail<3>().setConstant(1.0 / radius_);
+// A reciprocal condition number below this leaves no digit of a displacement right.
+constexpr double kSingular = 1e-15;
+
+}  // namespace
+
+LinearRobot::LinearRobot(const RobotDescription& robot)
+    : robot_(robot), rigid_(robot.type == PlatformType::kRigidBody), lever_(robot.lever()) {
+  if (rigid_) scale_.tail<3>().setConstant(1.0 / lever_);
 }
+
+void LinearRobot::start(const Pose& pose) { stiffness_ = weightStiffness(robot_, pose); }
 
 void LinearRobot::add(const CablePlane& plane, const Eigen::Matrix2d& stiffness, double h,
                       const Eigen::Vector3d& force) {
-  Eigen::Matrix<double, 6, 6> added = Eigen::Matrix<double, 6, 6>::Zero();
-  addCableStiffness(plane, stiffness, force, forceDensity(plane, h, stiffness), &added);
-  if (rigid_) {
-    stiffness_ += added;
-  } else {
-    stiffness_.topLeftCorner<3, 3>() += added.topLeftCorner<3, 3>();
-  }
+  addCableStiffness(plane, stiffness, force, forceDensity(plane, h, stiffness), &stiffness_);
 }
 
 bool LinearRobot::factorise() {
-  // A point mass's rotations are as stiff as its translations: they take no part, and hide no singularity.
-  if (!rigid_) stiffness_.diagonal().tail<3>().setConstant(stiffness_.topLeftCorner<3, 3>().cwiseAbs().maxCoeff());
-  lu_.compute(scale_.asDiagonal() * stiffness_ * scale_.asDiagonal());
-  return stiffness_.allFinite() && lu_.rcond() > 1e-15;
+  if (!stiffness_.allFinite()) return false;
+  if (rigid_) {
+    lu_.compute(scale_.asDiagonal() * stiffness_ * scale_.asDiagonal());
+  } else {
+    // A point mass does not turn. Rotations as stiff as its translations take no part and hide no singularity.
+    Stiffness translations = Stiffness::Zero();
+    translations.topLeftCorner<3, 3>() = stiffness_.topLeftCorner<3, 3>();
+    translations.diagonal().tail<3>().setConstant(stiffness_.topLeftCorner<3, 3>().norm());
+    lu_.compute(translations);
+  }
+  return lu_.rcond() > kSingular;
+}
+
+bool isStable(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness) {
+  // The rows and columns of the robot's freedoms, on the stack.
+  using MatrixOfFreedoms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+  const int n = robot.freedoms();
+  const MatrixOfFreedoms hessian = -0.5 * (stiffness + stiffness.transpose()).topLeftCorner(n, n);
+  return hessian.llt().info() == Eigen::Success;
 }
 
 }  // namespace cdpr_kinetostatics

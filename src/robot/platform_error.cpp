@@ -12,7 +12,8 @@
 namespace cdpr_kinetostatics {
 PlatformError platformError(const RobotDescription& robot, const Pose& pose, const std::vector<CableSolution>& cables) {
   PlatformError error;
-  LinearRobot linear(robot, pose);
+  LinearRobot linear(robot);
+  linear.start(pose);
   Wrench unbalanced = Wrench::Zero();
   for (std::size_t i = 0; i < cables.size(); ++i) {
     const CableProperties& properties = robot.cables[i].properties;
@@ -31,7 +32,7 @@ PlatformError platformError(const RobotDescription& robot, const Pose& pose, con
   }
   const Wrench displacement = linear.displacement(unbalanced);
   error.translation = displacement.head<3>().norm();
-  error.rotation = displacement.tail<3>().norm() / linear.radius();
+  error.rotation = displacement.tail<3>().norm() / linear.lever();
   return error;
 }
 

@@ -80,7 +80,8 @@ bool RungChoice::serve(const RobotDescription& robot, const RobotForces& state, 
 // False where the robot has no stiffness.
 bool RungChoice::estimate(const RobotDescription& robot, const RobotForces& state) {
   const std::size_t count = robot.cables.size();
-  LinearRobot linear(robot, state.pose);
+  LinearRobot linear(robot);
+  linear.start(state.pose);
   errors_.resize(count);
   effects_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -28,6 +28,15 @@ RobotSolution refusedRobot(Model model, const Status& status) {
   return solution;
 }
 
+RobotSolution refusedRobot(Model model, const SearchOutcome& outcome) {
+  RobotSolution solution = refusedRobot(model, outcome.status);
+  solution.report.iterations = outcome.iterations;
+  solution.report.closure_residual = outcome.residuals.closure;
+  solution.report.force_residual = outcome.residuals.force;
+  solution.report.moment_residual = outcome.residuals.moment;
+  return solution;
+}
+
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,
                                           const std::vector<SaggingCable>& cables, int profile_points) {
   std::vector<CableSolution> solutions;

@@ -7,11 +7,13 @@
 #include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
+#include "robot/search_outcome.h"
 
 namespace cdpr_kinetostatics {
 
-// A solution that says only why there is none.
+// No solution: the report says why, and what the search had reached if there was one.
 RobotSolution refusedRobot(Model model, const Status& status);
+RobotSolution refusedRobot(Model model, const SearchOutcome& outcome);
 
 // Cable i between its anchor and the platform at the pose, with so many profile points.
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,

@@ -22,9 +22,22 @@ constexpr double kSoftTolerance = 1e-3;
 // Rounding of the energy, relative to the sum of its terms.
 constexpr double kEnergyRounding = 1e-14;
 
+// A step is taken if the energy falls by this share of what the wrench along it promises (Armijo's condition).
+constexpr double kLeastGain = 1e-4;
+
+// Smallest damping, relative to the Hessian's largest entry; each refused step multiplies the damping by ten.
+constexpr double kLeastDamping = 1e-9;
+
 // Largest step of the platform: a share of the robot's span, and an angle.
 constexpr double kMaxShareOfSpan = 0.2;
 constexpr double kMaxRotation = 0.5;  // [rad]
+
+// Makes moments comparable with forces.
+Wrench forceScale(const RobotDescription& robot) {
+  Wrench scale;
+  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(robot.freedoms() == 6 ? 1.0 / robot.lever() : 1.0);
+  return scale;
+}
 
 }  // namespace
 
@@ -62,8 +75,16 @@ SpringPlatform::Local SpringPlatform::at(const Pose& pose, const std::vector<Spr
   return local;
 }
 
-Status SpringPlatform::descend(const std::vector<Spring>& springs, double tolerance, Clock::time_point deadline,
-                               Pose* pose, int* iterations) const {
+struct SpringPlatform::Move {
+  Wrench step = Wrench::Zero();  // translation [m] and rotation vector [rad]
+  // Of the whole step of Newton's method, before it is cut.
+  double translation = 0.0;  // share of the robot's span
+  double rotation = 0.0;     // [rad]
+};
+
+SearchOutcome SpringPlatform::descend(const std::vector<Spring>& springs, double tolerance, Clock::time_point deadline,
+                                      Pose* pose) const {
+  int iterations = 0;
   if (external_ != nullptr) {
     double stiffest = 0.0;
     for (const Spring& spring : springs) stiffest = std::max(stiffest, spring.stiffness * spring.length);
@@ -71,63 +92,86 @@ Status SpringPlatform::descend(const std::vector<Spring>& springs, double tolera
     for (double soft = load / kSoftStrain; soft < stiffest; soft *= kStiffening) {
       std::vector<Spring> softened = springs;
       for (Spring& spring : softened) spring.stiffness = std::min(spring.stiffness, soft / spring.length);
-      const Status status = newton(softened, std::max(tolerance, kSoftTolerance), deadline, pose, iterations);
-      if (status.code == Code::kTimedOut) return status;
+      SearchOutcome outcome = newton(softened, std::max(tolerance, kSoftTolerance), deadline, pose);
+      iterations += outcome.iterations;
+      if (outcome.status.code != Code::kTimedOut) continue;
+      outcome.iterations = iterations;
+      return outcome;
     }
   }
-  return newton(springs, tolerance, deadline, pose, iterations);
+  SearchOutcome outcome = newton(springs, tolerance, deadline, pose);
+  outcome.iterations += iterations;
+  return outcome;
 }
 
-Status SpringPlatform::newton(const std::vector<Spring>& springs, double tolerance, Clock::time_point deadline,
-                              Pose* pose, int* iterations) const {
+bool SpringPlatform::step(const Local& here, double damping, Move* move) const {
   const int n = robot_.freedoms();
-  const double radius = n == 6 ? robot_.lever() : 1.0;
-  Wrench scale;
-  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / radius);
+  const Wrench scale = forceScale(robot_);
+  const Matrix6 hessian =
+      -0.5 * scale.asDiagonal() * (here.stiffness + here.stiffness.transpose()).eval() * scale.asDiagonal();
+  // All springs may be slack: the platform then falls, as far as a step may take it.
+  const double size =
+      std::max(hessian.topLeftCorner(n, n).diagonal().cwiseAbs().maxCoeff(), robot_.weight() / robot_.span());
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(hessian.topLeftCorner(n, n) +
+                                             damping * size * Eigen::MatrixXd::Identity(n, n));
+  if (cholesky.info() != Eigen::Success) return false;
+  move->step.setZero();
+  move->step.head(n) = cholesky.solve((scale.asDiagonal() * here.wrench).head(n));
+  move->step = scale.asDiagonal() * move->step;
+  move->translation = move->step.head<3>().norm() / robot_.span();
+  move->rotation = move->step.tail<3>().norm();
+  move->step *= std::min({1.0, kMaxShareOfSpan / move->translation, kMaxRotation / move->rotation});
+  return true;
+}
+
+SearchOutcome SpringPlatform::newton(const std::vector<Spring>& springs, double tolerance, Clock::time_point deadline,
+                                     Pose* pose) const {
+  const int n = robot_.freedoms();
+  const Wrench scale = forceScale(robot_);
   const Eigen::Vector3d torque = external_ != nullptr ? Eigen::Vector3d(external_->tail<3>()) : Eigen::Vector3d::Zero();
+  SearchOutcome outcome;
+  const auto ended = [&](const Local& at, const Status& status) {
+    outcome.status = status;
+    outcome.residuals = residuals(at);
+    return outcome;
+  };
   Local here = at(*pose, springs);
   double damping = 0.0;
   for (int i = 0; i < kMaxIterations; ++i) {
-    if (Clock::now() > deadline) return {Code::kTimedOut, "the time allowed ran out while looking for the pose"};
-    ++*iterations;
-    const Matrix6 hessian =
-        -0.5 * scale.asDiagonal() * (here.stiffness + here.stiffness.transpose()).eval() * scale.asDiagonal();
-    // All springs may be slack: the platform then falls, as far as a step may take it.
-    const double size =
-        std::max(hessian.topLeftCorner(n, n).diagonal().cwiseAbs().maxCoeff(), robot_.weight() / robot_.span());
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(hessian.topLeftCorner(n, n) +
-                                               damping * size * Eigen::MatrixXd::Identity(n, n));
-    if (cholesky.info() != Eigen::Success) {
-      damping = std::max(10.0 * damping, 1e-9);
+    if (Clock::now() > deadline)
+      return ended(here, {Code::kTimedOut, "the time allowed ran out while looking for the pose"});
+    ++outcome.iterations;
+    Move move;
+    if (!step(here, damping, &move)) {
+      damping = std::max(10.0 * damping, kLeastDamping);
       continue;
     }
-    Wrench step = Wrench::Zero();
-    step.head(n) = cholesky.solve((scale.asDiagonal() * here.wrench).head(n));
-    step = scale.asDiagonal() * step;
-    const double translation = step.head<3>().norm() / robot_.span();
-    const double rotation = step.tail<3>().norm();
-    step *= std::min({1.0, kMaxShareOfSpan / translation, kMaxRotation / rotation});
-    const Pose moved = displaced(*pose, step.head<3>(), step.tail<3>());
+    const Pose moved = displaced(*pose, move.step.head<3>(), move.step.tail<3>());
     const Local there = at(moved, springs);
-    const double gain = here.energy - there.energy + torque.dot(step.tail<3>());
-    const bool tiny = translation < 0.01 * tolerance && rotation < 0.01 * tolerance;
+    const double gain = here.energy - there.energy + torque.dot(move.step.tail<3>());
+    const bool tiny = move.translation < 0.01 * tolerance && move.rotation < 0.01 * tolerance;
     // Below the energy's rounding the wrench decides, and where it no longer falls the pose is found.
     const double rounding = kEnergyRounding * (std::abs(here.energy) + robot_.weight() * robot_.span());
-    const bool at_rounding = tiny || here.wrench.dot(step) < rounding;
+    const double promised = here.wrench.dot(move.step);
+    const bool at_rounding = tiny || promised < rounding;
     const bool calmer =
         (scale.asDiagonal() * there.wrench).head(n).norm() < (scale.asDiagonal() * here.wrench).head(n).norm();
-    if (at_rounding ? calmer : gain >= 1e-4 * here.wrench.dot(step)) {
+    if (at_rounding ? calmer : gain >= kLeastGain * promised) {
       *pose = moved;
       here = there;
-      damping *= damping < 1e-9 ? 0.0 : 0.1;
-      if (tiny && damping == 0.0) return {Code::kConverged, ""};
+      damping *= damping < kLeastDamping ? 0.0 : 0.1;
+      if (tiny && damping == 0.0) return ended(here, {Code::kConverged, ""});
     } else if (at_rounding) {
-      return {Code::kConverged, ""};
+      return ended(here, {Code::kConverged, ""});
     } else {
-      damping = std::max(10.0 * damping, 1e-9);
+      damping = std::max(10.0 * damping, kLeastDamping);
     }
   }
-  return {Code::kNotConverged, "no stable pose was found with straight cables of these lengths"};
+  return ended(here, {Code::kNotConverged, "no stable pose was found with straight cables of these lengths"});
+}
+
+Residuals SpringPlatform::residuals(const Local& here) const {
+  return {0.0, here.wrench.head<3>().norm(), robot_.freedoms() == 6 ? here.wrench.tail<3>().norm() : 0.0};
 }
 
 }  // namespace cdpr_kinetostatics

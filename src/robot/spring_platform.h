@@ -1,4 +1,5 @@
-// The platform on straight springs that pull but do not push, and its descent to a stable pose.
+// The platform on straight springs that pull but do not push, and its descent to a stable pose (docs/theory.md section
+// 5, "Forward kinetostatics").
 //
 // The energy of such a platform is bounded below, and every descent ends in a minimum: a stable equilibrium
 // near the start. That makes it the way from a far seed to the right pose, for every model.
@@ -8,8 +9,8 @@
 #include <chrono>
 #include <vector>
 
-#include "cdpr_kinetostatics/cable/report.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
+#include "robot/search_outcome.h"
 
 namespace cdpr_kinetostatics {
 
@@ -40,13 +41,19 @@ class SpringPlatform {
   // Descends first on springs that the platform's weight stretches by 1 %, then on stiffer ones up to those
   // given: far from equilibrium, stiff springs make narrow curved valleys. Ends when the pose moves by less
   // than tolerance, relative to the robot's span, and in rad.
-  Status descend(const std::vector<Spring>& springs, double tolerance, std::chrono::steady_clock::time_point deadline,
-                 Pose* pose, int* iterations) const;
+  SearchOutcome descend(const std::vector<Spring>& springs, double tolerance,
+                        std::chrono::steady_clock::time_point deadline, Pose* pose) const;
 
  private:
+  struct Move;
+
   // Newton's method, damped until the energy falls.
-  Status newton(const std::vector<Spring>& springs, double tolerance, std::chrono::steady_clock::time_point deadline,
-                Pose* pose, int* iterations) const;
+  SearchOutcome newton(const std::vector<Spring>& springs, double tolerance,
+                       std::chrono::steady_clock::time_point deadline, Pose* pose) const;
+  // Newton's step from here under this damping, no longer than the platform may move at once. False: the damped
+  // Hessian is not positive definite.
+  bool step(const Local& here, double damping, Move* move) const;
+  Residuals residuals(const Local& here) const;
 
   const RobotDescription& robot_;
   const Wrench* external_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -12,7 +11,7 @@ constexpr double kSoftStrain = 0.01;
 constexpr double kStiffening = 10.0;
 constexpr double kLeastStiffening = 1.05;
 
-// Cables of at most this axial stiffness [N]; an infinite one asks for the real ones.
+// Cables of at most this axial stiffness [N].
 RobotDescription softened(const RobotDescription& robot, double axial_stiffness) {
   RobotDescription soft = robot;
   for (CableDescription& cable : soft.cables) {
@@ -21,7 +20,8 @@ RobotDescription softened(const RobotDescription& robot, double axial_stiffness)
   return soft;
 }
 
-// Where the ends are, each cable in its own equilibrium; false where one has none.
+// Every cable in its own equilibrium between its ends at the pose, or else under the forces that it had; false where it
+// had none.
 bool startCables(const RobotDescription& robot, const std::vector<double>& lengths, const std::vector<Model>& rungs,
                  const CoupledOptions& options, CoupledState* state) {
   std::vector<SaggingCable> cables;
@@ -41,9 +41,9 @@ bool startCables(const RobotDescription& robot, const std::vector<double>& lengt
 
 }  // namespace
 
-CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
-                       const std::vector<Model>& rungs, const CoupledOptions& options, CoupledState* state) {
-  constexpr double kReal = std::numeric_limits<double>::infinity();
+SearchOutcome stiffen(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                      const std::vector<Model>& rungs, const CoupledOptions& options, CoupledNewton* newton,
+                      CoupledState* state) {
   double stiffest = 0.0;
   for (const CableDescription& cable : robot.cables) stiffest = std::max(stiffest, cable.properties.axial_stiffness);
   const std::vector<Model> extensible(rungs.size(), Model::kBending);
@@ -56,15 +56,17 @@ CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, co
   state->cables.clear();
   for (;;) {
     const bool real = next >= stiffest;
-    const RobotDescription soft = softened(robot, real ? kReal : next);
+    const RobotDescription soft = softened(robot, next);
+    CoupledNewton soft_newton(soft);
+    CoupledNewton* used = real ? newton : &soft_newton;
     CoupledState there = *state;
-    CoupledOutcome outcome;
+    SearchOutcome outcome;
     outcome.status = none;
-    if (startCables(soft, lengths, real ? rungs : extensible, options, &there)) {
-      outcome = solveCoupled(soft, external, options, &there);
+    if (startCables(real ? robot : soft, lengths, real ? rungs : extensible, options, &there)) {
+      outcome = solveCoupled(external, options, used, &there);
     }
     iterations += outcome.iterations;
-    const bool on_branch = outcome.status.ok() && isOnBranch(soft, outcome.stiffness, there);
+    const bool on_branch = outcome.ok() && isOnBranch(robot, used->stiffness(), there);
     if (on_branch) {
       *state = std::move(there);
       reached = next;
@@ -74,7 +76,7 @@ CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, co
     const bool stuck = reached == 0.0 || factor < kLeastStiffening;
     if (on_branch ? real : stuck || outcome.status.code == Code::kTimedOut) {
       outcome.iterations = iterations;
-      if (outcome.status.ok() && !on_branch) outcome.status = none;
+      if (outcome.ok() && !on_branch) outcome.status = none;
       return outcome;
     }
     next = factor * reached;

@@ -10,8 +10,9 @@
 namespace cdpr_kinetostatics {
 
 // state: the pose to begin with; on success the equilibrium at these lengths [m], each cable on the rung given for it,
-// stable and with every cable on its branch. rungs: bending ones.
-CoupledOutcome stiffen(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
-                       const std::vector<Model>& rungs, const CoupledOptions& options, CoupledState* state);
+// stable and with every cable on its branch, linearised by newton, the robot's. rungs: bending ones.
+SearchOutcome stiffen(const RobotDescription& robot, const Wrench& external, const std::vector<double>& lengths,
+                      const std::vector<Model>& rungs, const CoupledOptions& options, CoupledNewton* newton,
+                      CoupledState* state);
 
 }  // namespace cdpr_kinetostatics

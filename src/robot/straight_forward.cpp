@@ -16,14 +16,18 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kMaxMultiplierUpdates = 60;
 
+// Share of its length by which a tight inextensible cable's chord may differ from it: some digits above rounding.
+constexpr double kExcess = 1e-12;
+
 // Least-squares pose, then the tensions that balance best.
-Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
-                           Clock::time_point deadline, Pose* pose, std::vector<double>* tensions, int* iterations) {
+SearchOutcome solveOverdetermined(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
+                                  Clock::time_point deadline, Pose* pose, std::vector<double>* tensions) {
   std::vector<Spring> springs;
   const double stiffness = robot.weight() / robot.span();
   for (const double length : request.lengths) springs.push_back({stiffness, length, 0.0, true});
-  const Status status = SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose, iterations);
-  if (!status.ok()) return status;
+  SearchOutcome outcome = SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose);
+  outcome.residuals = {};  // of springs that carry no load
+  if (!outcome.ok()) return outcome;
   const int n = robot.freedoms();
   const double radius = n == 6 ? robot.lever() : 1.0;
   Wrench rows;
@@ -40,27 +44,36 @@ Status solveOverdetermined(const RobotDescription& robot, const ForwardRequest& 
   const Eigen::VectorXd solution =
       nonNegativeTensions((rows.asDiagonal() * structure).topRows(n), (rows.asDiagonal() * needed).head(n));
   tensions->assign(solution.data(), solution.data() + solution.size());
-  return status;
+  return outcome;
 }
 
 // Springs as stiff as the cables, whose shifts grow until no cable is longer than it should be.
-Status solveInextensible(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
-                         Clock::time_point deadline, std::vector<Spring>* springs, Pose* pose, int* iterations) {
+SearchOutcome solveInextensible(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
+                                Clock::time_point deadline, std::vector<Spring>* springs, Pose* pose) {
   const SpringPlatform platform(robot, &request.external_wrench);
+  SearchOutcome outcome;
+  int iterations = 0;
   for (int i = 0; i < kMaxMultiplierUpdates; ++i) {
-    const Status status = platform.descend(*springs, tolerance, deadline, pose, iterations);
-    if (!status.ok()) return status;
+    outcome = platform.descend(*springs, tolerance, deadline, pose);
+    outcome.iterations = iterations += outcome.iterations;
+    if (!outcome.ok()) return outcome;
     double excess = 0.0;
+    double open = 0.0;  // [m]
     for (std::size_t k = 0; k < springs->size(); ++k) {
       Spring& spring = (*springs)[k];
       const double chord = anchorToAttachment(robot.cables[k], *pose).norm();
       const double tension = spring.tension(chord);
-      if (tension > 0.0) excess = std::max(excess, std::abs(chord / spring.length - 1.0));
+      if (tension > 0.0) {
+        excess = std::max(excess, std::abs(chord / spring.length - 1.0));
+        open = std::max(open, std::abs(chord - spring.length));
+      }
       spring.shift = tension;
     }
-    if (excess < 1e-12) return status;
+    outcome.residuals.closure = open;
+    if (excess < kExcess) return outcome;
   }
-  return {Code::kNotConverged, "the inextensible cables' tensions did not settle"};
+  outcome.status = {Code::kNotConverged, "the inextensible cables' tensions did not settle"};
+  return outcome;
 }
 
 }  // namespace
@@ -69,22 +82,21 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
                                    const RobotSolverOptions& options, Clock::time_point deadline) {
   RobotSolution solution;
   solution.pose = request.seed.value_or(robot.home);
-  int& iterations = solution.report.iterations;
   std::vector<Spring> springs;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     springs.push_back({robot.cables[i].properties.axial_stiffness / request.lengths[i], request.lengths[i]});
   }
   std::vector<double> tensions;
-  Status status;
+  SearchOutcome outcome;
   if (options.model == Model::kStraightElastic) {
-    status = SpringPlatform(robot, &request.external_wrench)
-                 .descend(springs, options.tolerance, deadline, &solution.pose, &iterations);
+    outcome =
+        SpringPlatform(robot, &request.external_wrench).descend(springs, options.tolerance, deadline, &solution.pose);
   } else if (static_cast<int>(robot.cables.size()) > robot.freedoms()) {
-    status = solveOverdetermined(robot, request, options.tolerance, deadline, &solution.pose, &tensions, &iterations);
+    outcome = solveOverdetermined(robot, request, options.tolerance, deadline, &solution.pose, &tensions);
   } else {
-    status = solveInextensible(robot, request, options.tolerance, deadline, &springs, &solution.pose, &iterations);
+    outcome = solveInextensible(robot, request, options.tolerance, deadline, &springs, &solution.pose);
   }
-  if (!status.ok()) return refusedRobot(options.model, status);
+  if (!outcome.ok()) return refusedRobot(options.model, outcome);
 
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
@@ -98,7 +110,8 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
     if (!tensions.empty()) cable.closure_residual = std::abs(chord - request.lengths[i]);
     cables.push_back(cable);
   }
-  solution.report.status = status;
+  solution.report.status = outcome.status;
+  solution.report.iterations = outcome.iterations;
   assemble(robot, request.external_wrench, cables, &solution);
   if (options.compute_stiffness && tensions.empty()) {
     solution.stiffness = SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs).stiffness;

@@ -4,41 +4,45 @@
 // forces and the shapes of the cables are kept, predicted for the new lengths by their derivatives, and refined by the
 // coupled Newton method, usually in one or two linearisations. The answer is that of solveForward() to the tolerance
 // asked for, on the branch that continues the last answer. Where that is out of reach (first call, long jump, another
-// branch) solveForward() is called.
+// branch) the solve is cold: it costs what solveForward() costs, and gives its answer.
 //
-// AUTO keeps the cables' rungs while they are the ones that it would choose, or finer ones that it would not give up
-// (robot/rung_choice.h); a change of a rung is a cold start.
+// AUTO keeps the cables' models while they are the ones that it would choose, or finer ones that it would not give up;
+// a change of a model is a cold start.
 //
 // A warm solve does not allocate memory. One object per robot and thread; its answers depend on its history, within the
 // tolerance.
 #pragma once
 
-#include <limits>
-#include <vector>
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
 
 #include "cdpr_kinetostatics/robot/forward.h"
-#include "robot/coupled_newton.h"
-#include "robot/rung_choice.h"
 
 namespace cdpr_kinetostatics {
+
+class ForwardSolve;
 
 class ForwardFollower {
  public:
   // profile_points and compute_stiffness of the options serve solution(). The robot must outlive the object.
   ForwardFollower(const RobotDescription& robot, const RobotSolverOptions& options);
+  ~ForwardFollower();
 
-  // The request's seed serves a cold start only. After a failure the next solve is cold.
+  // The request's seed serves a cold start only; options.timeout bounds it. After a failure the next solve is cold.
   const Status& solve(const ForwardRequest& request);
 
   // The last solve started from the one before.
   bool warmStarted() const { return warm_started_; }
-  // Linearisations of the last solve, those of a cold start included.
+  // Iterations of the last solve: linearisations, and those of a cold start if there was one.
   int iterations() const { return iterations_; }
 
-  // Of the last solve, if it converged.
-  const Pose& pose() const { return state_.pose; }
-  const SaggingCable& cable(std::size_t i) const { return state_.cables[i]; }
-  const Eigen::Matrix<double, 6, 6>& stiffness() const { return newton_.stiffness(); }
+  // Of the last solve, if it converged. None of them allocates.
+  const Pose& pose() const;
+  double length(std::size_t i) const;   // unstrained length of cable i [m]
+  double tension(std::size_t i) const;  // T_A of cable i [N]
+  // As RobotSolution::stiffness, whether or not the options ask for it; zero by STRAIGHT.
+  const Eigen::Matrix<double, 6, 6>& stiffness() const;
 
   // The last solve's answer in full, as solveForward() returns it.
   RobotSolution solution() const;
@@ -47,29 +51,15 @@ class ForwardFollower {
   void forget() { can_follow_ = false; }
 
  private:
-  bool follow(const ForwardRequest& request);
-  bool converge(const Wrench& external);
-  bool rungsServe();
-  void startCold(const ForwardRequest& request);
-  bool adopt(const RobotSolution& solution, const Wrench& external);
-
   const RobotDescription& robot_;
   const RobotSolverOptions options_;
-  CoupledState state_;
-  CoupledNewton newton_;
-  std::vector<Model> rungs_;  // of the cables
-  RungChoice choice_;         // AUTO
-  RobotForces reached_;
+  std::unique_ptr<ForwardSolve> solve_;
+  bool checked_ = false;  // the last request was one that can be served
   bool can_follow_ = false;
   bool warm_started_ = false;
   int iterations_ = 0;
   double solve_time_ = 0.0;
-  bool has_lines_ = false;
-  double contraction_ = std::numeric_limits<double>::infinity();  // a step's size over the square of the one before
-  int solves_since_measured_ = 0;
   Status status_;
-  Wrench external_ = Wrench::Zero();
-  RobotSolution cold_;  // the answer of the last cold start
 };
 
 }  // namespace cdpr_kinetostatics

@@ -1,0 +1,297 @@
+#include "robot/forward_solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cable/catenary.h"
+#include "cable/iteration_schedule.h"
+#include "robot/basin_search.h"
+#include "robot/platform_error.h"
+#include "robot/platform_statics.h"
+#include "robot/solution_assembly.h"
+#include "robot/stiffening.h"
+#include "robot/straight_forward.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// The search from a seed is left out where Newton's method takes no longer than this and the pose moves no farther.
+constexpr int kNearbyIterations = 10;
+constexpr double kNearbyShareOfSpan = 0.05;
+constexpr double kNearbyAngle = 0.2;  // [rad]
+
+// A prediction along a path that changes forces, angles or the pose by more than this share is a jump.
+constexpr double kLongestReach = 0.5;
+
+// Along a path, Newton's method that takes more linearisations than this is lost.
+constexpr int kMostLinearisations = 8;
+
+// What is left after a step of Newton's method is that step's size squared times a number that changes slowly along a
+// path. It is measured where a solve takes two steps, and trusted with so much in hand, for so many solves.
+constexpr double kSafety = 100.0;
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr int kSolvesBetweenMeasurements = 10;
+
+}  // namespace
+
+ForwardSolve::ForwardSolve(const RobotDescription& robot, const RobotSolverOptions& options)
+    : robot_(robot), options_(options), newton_(robot) {}
+
+const Status& ForwardSolve::solve(const ForwardRequest& request, Clock::time_point deadline) {
+  request_ = request;
+  deadline_ = deadline;
+  outcome_ = {};
+  answer_.reset();
+  contraction_ = kUnknown;
+  if (isStraight(options_.model)) {
+    solveOnLines(options_.model);
+    return outcome_.status;
+  }
+  const bool choose = options_.model == Model::kAuto;
+  if (choose && solveOnLines(Model::kStraightElastic) && isWithin(robot_, *answer_, options_.accuracy)) {
+    outcome_.status.message = answer_->report.status.message = describeChoice(*answer_);
+    return outcome_.status;
+  }
+  answer_.reset();
+  if (solveOnCables() && choose) {
+    if (!answer_) answer_ = assembled();
+    outcome_.status.message = answer_->report.status.message;
+  }
+  return outcome_.status;
+}
+
+bool ForwardSolve::solveOnLines(Model model) {
+  RobotSolverOptions options = options_;
+  options.model = model;
+  options.compute_stiffness = true;
+  answer_ = solveStraightForward(robot_, request_, options, deadline_);
+  const RobotReport& report = answer_->report;
+  outcome_ = {
+      report.status, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}};
+  state_.pose = answer_->pose;
+  state_.cables.clear();
+  rungs_.assign(robot_.cables.size(), model);
+  lines_stiffness_ = answer_->stiffness;
+  if (!options_.compute_stiffness) answer_->stiffness.setZero();
+  return outcome_.ok();
+}
+
+bool ForwardSolve::solveOnCables() {
+  RobotForces start;
+  start.pose = request_.seed.value_or(robot_.home);
+  if (!took(roughStart(robot_, request_.external_wrench, request_.lengths, deadline_, &start))) return false;
+  const RobotForces rough = start;
+  if (!reachCatenaries(&start)) return false;
+  if (options_.model == Model::kAuto) {
+    chooseRungs(start);
+    if (outcome_.status.code == Code::kNotConverged || outcome_.status.code == Code::kWrongBranch) {
+      rungs_.assign(rungs_.size(), Model::kBending);
+      refine(start);
+    }
+  } else {
+    rungs_.assign(robot_.cables.size(), options_.model);
+    refine(start);
+  }
+  if (isLost()) stiffenFrom(rough.pose);
+  if (isLost()) searchBending(rough);
+  return outcome_.ok();
+}
+
+// From the springs' pose to the catenaries', by the short way where there is one.
+bool ForwardSolve::reachCatenaries(RobotForces* start) {
+  const Model rung = startingRung(options_.model);
+  return skipSearch(rung, start) ||
+         took(searchBasin(robot_, request_.external_wrench, rung, options_.tolerance, deadline_, start));
+}
+
+// Newton's method straight from the springs' pose: false, and the start as it was, unless that soon leads to a stable
+// pose nearby.
+bool ForwardSolve::skipSearch(Model rung, RobotForces* start) {
+  RobotForces closed = *start;
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    const CablePlane plane = cablePlane(robot_.cables[i], start->pose);
+    const std::optional<ForcesAtA> forces =
+        catenaryForces(asSeenBy(rung, robot_.cables[i].properties), start->lengths[i], plane.x, plane.y);
+    if (!forces) return false;
+    closed.forces[i] = *forces;
+  }
+  rungs_.assign(robot_.cables.size(), rung);
+  if (!refine(closed, kNearbyIterations)) return false;
+  if ((state_.pose.position - start->pose.position).norm() > kNearbyShareOfSpan * robot_.span()) return false;
+  if (state_.pose.orientation.angularDistance(start->pose.orientation) > kNearbyAngle) return false;
+  readForces(state_, start);
+  return true;
+}
+
+// AUTO: models get finer until what they neglect is within the accuracy.
+void ForwardSolve::chooseRungs(const RobotForces& start) {
+  rungs_ = RungChoice().choose(robot_, start, options_.accuracy, {});
+  refine(start);
+  while (outcome_.ok()) {
+    answer_ = assembled();
+    if (isWithin(robot_, *answer_, options_.accuracy) || !refineRungs(&rungs_)) break;
+    answer_.reset();
+    readForces(state_, &reached_);
+    refine(reached_);
+  }
+}
+
+// Newton's method on the cables' models.
+bool ForwardSolve::refine(const RobotForces& start, int max_iterations, double own_shape) {
+  startCables(start, own_shape);
+  const CoupledOptions options{options_.tolerance, deadline_, max_iterations};
+  if (!took(solveCoupled(request_.external_wrench, options, &newton_, &state_))) return false;
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    if (state_.cables[i].onBranch()) continue;
+    outcome_.status = {Code::kWrongBranch, "cable '" + robot_.cables[i].name +
+                                               "' ended in an equilibrium that is not the sagging one: start from a "
+                                               "seed nearer to the platform's pose"};
+    return false;
+  }
+  if (!isStable(robot_, newton_.stiffness())) {
+    outcome_.status = {
+        Code::kWrongBranch,
+        "the platform's pose found is an unstable equilibrium: start from a seed nearer to the expected pose"};
+  }
+  return outcome_.ok();
+}
+
+// A bending cable longer than its chord by the factor own_shape starts from its own problem 2.
+void ForwardSolve::startCables(const RobotForces& start, double own_shape) {
+  state_.pose = start.pose;
+  state_.cables.clear();
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
+    const CablePlane plane = cablePlane(robot_.cables[i], state_.pose);
+    bool started = false;
+    if (isBending(rungs_[i]) && start.lengths[i] > own_shape * std::hypot(plane.x, plane.y)) {
+      started = cable.startBetween(start.lengths[i], plane.x, plane.y, {options_.tolerance, deadline_}).ok();
+    }
+    if (!started) cable.start(start.lengths[i], start.forces[i]);
+    state_.cables.push_back(std::move(cable));
+  }
+}
+
+// With bending cables, Newton's method from the catenaries has found nothing, or an equilibrium that is not kept.
+bool ForwardSolve::isLost() const {
+  const Code code = outcome_.status.code;
+  return isBending(rungs_.front()) && (code == Code::kNotConverged || code == Code::kWrongBranch);
+}
+
+void ForwardSolve::stiffenFrom(const Pose& pose) {
+  const SearchOutcome before = outcome_;
+  state_.pose = pose;
+  took(stiffen(robot_, request_.external_wrench, request_.lengths, rungs_, {options_.tolerance, deadline_}, &newton_,
+               &state_));
+  // That nothing was found on this way says less than that the other one led to a wrong equilibrium.
+  if (before.status.code == Code::kWrongBranch && outcome_.status.code == Code::kNotConverged) goBackTo(before);
+}
+
+// The trust region on the blocks of bending cables: they push where catenaries cannot. Slow, but it finds poses that
+// no other way leads to.
+void ForwardSolve::searchBending(RobotForces start) {
+  const SearchOutcome before = outcome_;
+  const bool found =
+      took(searchBasin(robot_, request_.external_wrench, rungs_.front(), options_.tolerance, deadline_, &start)) &&
+      refine(start, CoupledOptions().max_iterations, 0.0);
+  if (!found) goBackTo(before);
+}
+
+bool ForwardSolve::took(const SearchOutcome& stage) {
+  const int before = outcome_.iterations;
+  outcome_ = stage;
+  outcome_.iterations += before;
+  return outcome_.ok();
+}
+
+// What an earlier stage found says more; the work since then counts.
+void ForwardSolve::goBackTo(const SearchOutcome& stage) {
+  outcome_.status = stage.status;
+  outcome_.residuals = stage.residuals;
+}
+
+RobotSolution ForwardSolve::assembled() const {
+  RobotSolution solution;
+  solution.pose = state_.pose;
+  solution.report.status.code = Code::kConverged;
+  solution.report.iterations = outcome_.iterations;
+  assemble(robot_, request_.external_wrench,
+           describeCables(robot_, state_.pose, state_.cables, options_.profile_points), &solution);
+  if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
+  if (options_.compute_stiffness) solution.stiffness = newton_.stiffness();
+  return solution;
+}
+
+RobotSolution ForwardSolve::solution() const {
+  if (!outcome_.ok()) return refusedRobot(options_.model, outcome_);
+  RobotSolution solution = answer_ ? *answer_ : assembled();
+  solution.report.iterations = outcome_.iterations;
+  return solution;
+}
+
+double ForwardSolve::tension(std::size_t i) const {
+  return onLines() ? answer_->cables[i].cable.tension_a : state_.cables[i].tensionA();
+}
+
+const Eigen::Matrix<double, 6, 6>& ForwardSolve::stiffness() const {
+  return onLines() ? lines_stiffness_ : newton_.stiffness();
+}
+
+bool ForwardSolve::follow(const ForwardRequest& request) {
+  outcome_.iterations = 0;
+  if (onLines() && !takeUpLines()) return false;
+  if (!(newton_.predict(request.lengths, request.external_wrench, &state_) < kLongestReach)) return false;
+  if (!converge(request.external_wrench) || !isOnBranch(robot_, newton_.stiffness(), state_) || !rungsServe()) {
+    return false;
+  }
+  request_ = request;
+  outcome_.status.message.clear();
+  answer_.reset();
+  return true;
+}
+
+// Gives the state its cables, each under the force of its line. False where a line is slack, and where lines have no
+// stiffness: STRAIGHT.
+bool ForwardSolve::takeUpLines() {
+  if (rungs_.front() != Model::kStraightElastic) return false;
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
+    const CablePlane plane = cablePlane(robot_.cables[i], state_.pose);
+    if (!cable.startBetween(request_.lengths[i], plane.x, plane.y, {options_.tolerance}).ok()) {
+      state_.cables.clear();
+      return false;
+    }
+    state_.cables.push_back(std::move(cable));
+  }
+  return converge(request_.external_wrench) && isOnBranch(robot_, newton_.stiffness(), state_);
+}
+
+// From a state near the solution. Integration steps are chosen anew where the old ones do not serve.
+bool ForwardSolve::converge(const Wrench& external) {
+  // A straight cable's stiffness is nearly all along it: its steps contract now by the one, now by the other.
+  const bool measurable = !std::any_of(rungs_.begin(), rungs_.end(), isStraight);
+  if (++solves_since_measured_ > kSolvesBetweenMeasurements) contraction_ = kUnknown;
+  double last_size = 0.0;
+  for (int i = 0; i < kMostLinearisations; ++i) {
+    ++outcome_.iterations;
+    if (!newton_.linearise(external, Steps::kNewWhereDue, &state_) || !newton_.solve()) return false;
+    const double size = newton_.size(state_);
+    if (i > 0) {
+      if (!(size < last_size)) return size < kRoundingSize && newton_.atRounding();
+      contraction_ = measurable ? size / (last_size * last_size) : kUnknown;
+      solves_since_measured_ = 0;
+    }
+    newton_.step(&state_);
+    if (size <= options_.tolerance || kSafety * contraction_ * size * size <= options_.tolerance) return true;
+    last_size = size;
+  }
+  return false;
+}
+
+bool ForwardSolve::rungsServe() {
+  if (options_.model != Model::kAuto) return true;
+  readForces(state_, &reached_);
+  return choice_.serve(robot_, reached_, options_.accuracy, rungs_);
+}
+
+}  // namespace cdpr_kinetostatics

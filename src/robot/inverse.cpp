@@ -1,7 +1,6 @@
 #include "cdpr_kinetostatics/robot/inverse.h"
 
 #include "robot/inverse_solve.h"
-#include "robot/platform_error.h"
 #include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
@@ -16,11 +15,11 @@ Status checkInverse(const RobotDescription& robot, const InverseRequest& request
 RobotSolution solveInverse(const RobotDescription& robot, const InverseRequest& request,
                            const RobotSolverOptions& options) {
   const InverseSolve::Clock::time_point begin = InverseSolve::Clock::now();
-  Status status = checkInverse(robot, request, options);
-  if (!status.ok()) return refusedRobot(options.model, status);
+  const Status check = checkInverse(robot, request, options);
+  if (!check.ok()) return refusedRobot(options.model, check);
   InverseSolve solve(robot, options);
-  status = solve.solve(request, deadlineAfter(options.timeout));
-  RobotSolution solution = status.ok() ? solve.solution() : refusedRobot(options.model, status);
+  solve.solve(request, deadlineAfter(options.timeout));
+  RobotSolution solution = solve.solution();
   solution.report.solve_time = std::chrono::duration<double>(InverseSolve::Clock::now() - begin).count();
   return solution;
 }

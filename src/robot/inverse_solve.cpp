@@ -1,172 +1,111 @@
 #include "robot/inverse_solve.h"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "cable/iteration_schedule.h"
 #include "robot/platform_error.h"
+#include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
+#include "robot/tension_limits.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
+// A free attitude may creep along a valley; whoever waits is bounded by the deadline.
 constexpr int kMaxIterations = 2000;
 
-// How far the starting rung is taken where another one follows.
+// How far the starting model is taken where another one follows.
 constexpr double kRough = 1e-3;
+
+// Tolerance of the closed-form problem 3 behind starts and folds: better than any use of them needs.
+constexpr double kClosedFormTolerance = 1e-6;
 
 // Limits that still contradict each other after so many iterations do.
 constexpr int kIterationsToFeasibility = 8;
 
-// Weight of a turn of a free attitude in the objective: it decides only where equilibrium and tensions leave the
-// attitude free.
-constexpr double kTurnWeight = 1e-2;  // [1/rad]
+// A step that has grown by more than this means that the turn of a free attitude swings.
+constexpr double kSwing = 1.5;
+
+// Steps that have stopped to shrink are rounding if they are smaller than this. Smaller than in Newton's methods: the
+// curvature of the constraints is left out of the program, so that steps shrink only linearly.
+constexpr double kRoundingStep = 1e-6;
+
+// A prediction along a path that changes forces or lengths by more than this share is a jump.
+constexpr double kLongestReach = 0.5;
+
+// Along a path, more linearisations than this are no gain.
+constexpr int kMostLinearisations = 8;
+
+bool hasSettled(double size, double last_size, double tolerance) {
+  return size <= tolerance || (size < kRoundingStep && size >= 0.5 * last_size);
+}
 
 }  // namespace
 
 InverseSolve::InverseSolve(const RobotDescription& robot, const RobotSolverOptions& options)
-    : robot_(robot), options_(options) {}
+    : robot_(robot), options_(options), iteration_(robot) {}
 
-RungOptions InverseSolve::roughly() const {
+RungOptions InverseSolve::closedForm() const {
   RungOptions options;
   options.model = startingRung(options_.model);
-  options.limits = {1e-6, deadline_};
+  options.limits = {kClosedFormTolerance, deadline_};
   return options;
 }
 
-void InverseSolve::begin(const InverseRequest& request) {
-  request_ = request;
-  pose_ = request.pose;
-  free_turn_ = request.free_orientation && robot_.type == PlatformType::kRigidBody;
-  preferred_.resize(static_cast<Eigen::Index>(robot_.cables.size()));
-  for (Eigen::Index i = 0; i < preferred_.size(); ++i) {
-    const CableDescription& cable = robot_.cables[i];
-    preferred_(i) = request.preferred_tensions.empty() ? 0.5 * (cable.tension_min + cable.tension_max)
-                                                       : request.preferred_tensions[i];
-  }
-  turn_weight_ = kTurnWeight;
-  iterations_ = 0;
-}
-
-Status InverseSolve::solve(const InverseRequest& request, Clock::time_point deadline) {
+const Status& InverseSolve::solve(const InverseRequest& request, Clock::time_point deadline) {
   deadline_ = deadline;
-  begin(request);
-  Status status = run(options_.model);
+  outcome_ = {};
+  external_ = request.external_wrench;
+  iteration_.begin(request);
+  outcome_.status = run(options_.model);
+  const Code code = outcome_.status.code;
   if (options_.model == Model::kAuto &&
-      (status.code == Code::kNotConverged || status.code == Code::kWrongBranch || status.code == Code::kInfeasible)) {
-    begin(request);
-    status = run(Model::kBending);
+      (code == Code::kNotConverged || code == Code::kWrongBranch || code == Code::kInfeasible)) {
+    outcome_ = {};
+    iteration_.begin(request);
+    outcome_.status = run(Model::kBending);
   }
-  return status;
+  return outcome_.status;
 }
 
 Status InverseSolve::run(Model model) {
   const bool choose = model == Model::kAuto;
-  distribution_ = {};
-  Status status = startCables();
+  Status status = iteration_.startCables(closedForm(), options_.tolerance);
   rungs_.assign(robot_.cables.size(), model);
   if (status.ok() && startingRung(model) != model) {
     status = iterate(kRough);
-    if (choose && status.ok()) rungs_ = choice_.choose(robot_, reached(), options_.accuracy, {});
-    if (status.ok()) useRungs(rungs_);
+    if (choose && status.ok()) rungs_ = choice_.choose(robot_, iteration_.reached(), options_.accuracy, {});
+    if (status.ok()) iteration_.useRungs(rungs_, options_.tolerance);
   }
-  if (status.ok()) status = iterate(options_.tolerance);
-  if (status.ok()) status = checkBranches();
-  while (choose && status.ok() && !isWithin(robot_, solution(), options_.accuracy) && refineRungs(&rungs_)) {
-    useRungs(rungs_);
-    status = iterate(options_.tolerance);
-    if (status.ok()) status = checkBranches();
+  if (status.ok()) status = settle(options_.tolerance);
+  while (choose && status.ok()) {
+    outcome_.status = status;
+    if (isWithin(robot_, solution(), options_.accuracy) || !refineRungs(&rungs_)) break;
+    iteration_.useRungs(rungs_, options_.tolerance);
+    status = settle(options_.tolerance);
   }
   return status;
 }
 
 RobotSolution InverseSolve::solution() const {
+  if (!outcome_.ok()) return refusedRobot(options_.model, outcome_);
   RobotSolution solution;
-  solution.pose = pose_;
+  solution.pose = iteration_.pose();
   solution.report.status.code = Code::kConverged;
-  solution.report.iterations = iterations_;
+  solution.report.iterations = outcome_.iterations;
   std::vector<CableSolution> cables;
-  for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const CablePlane plane = cablePlane(robot_.cables[i], pose_);
-    cables.push_back(cables_[i].cable.describe(plane.x, plane.y, options_.profile_points));
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    const CablePlane plane = cablePlane(robot_.cables[i], solution.pose);
+    cables.push_back(iteration_.cables()[i].cable.describe(plane.x, plane.y, options_.profile_points));
   }
-  assemble(robot_, request_.external_wrench, cables, &solution);
+  assemble(robot_, external_, cables, &solution);
   if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
   return solution;
 }
 
-// Every cable at its preferred tension, moved into its limits, on the closed-form rung.
-Status InverseSolve::startCables() {
-  const RungOptions options = roughly();
-  cables_.clear();
-  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-    const CableDescription& description = robot_.cables[i];
-    InverseCable cable;
-    cable.cable = SaggingCable(description.properties, options.model, options_.tolerance);
-    cable.plane = cablePlane(description, pose_);
-    cable.lower = description.tension_min;
-    cable.upper = description.tension_max;
-    double tension =
-        std::clamp(preferred_(static_cast<Eigen::Index>(i)), std::max(cable.lower, 1e-9 * cable.upper), cable.upper);
-    CableSolution start = lengthOnRung(description.properties, cable.plane.x, cable.plane.y, tension, 0.0, options);
-    if (start.status.code == Code::kInfeasible && start.least_tension > 0.0) {
-      cable.lower = kAboveFold * start.least_tension;
-      tension = cable.lower;
-      start = lengthOnRung(description.properties, cable.plane.x, cable.plane.y, tension, 0.0, options);
-    }
-    if (!start.status.ok()) {
-      return {start.status.code, "cable '" + description.name + "': " + start.status.message};
-    }
-    cable.cable.start(start.length, {start.horizontal_force, start.vertical_force_a});
-    cables_.push_back(std::move(cable));
-  }
-  return {Code::kConverged, ""};
-}
-
-RobotForces InverseSolve::reached() const {
-  RobotForces forces;
-  forces.pose = pose_;
-  for (const InverseCable& c : cables_) {
-    forces.lengths.push_back(c.cable.length());
-    forces.forces.push_back({c.cable.horizontalForce(), c.cable.verticalForceA()});
-  }
-  return forces;
-}
-
-// The same forces and lengths on other rungs.
-void InverseSolve::useRungs(const std::vector<Model>& rungs) {
-  for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const SaggingCable& old = cables_[i].cable;
-    if (old.model() == rungs[i]) continue;
-    SaggingCable cable(robot_.cables[i].properties, rungs[i], options_.tolerance);
-    cable.start(old.length(), {old.horizontalForce(), old.verticalForceA()});
-    cables_[i].cable = std::move(cable);
-  }
-}
-
-bool InverseSolve::linearise(Steps steps) {
-  for (std::size_t i = 0; i < cables_.size(); ++i) {
-    InverseCable& c = cables_[i];
-    const bool adapt = steps == Steps::kNew || (steps == Steps::kNewWhereDue && !c.cable.stepsFit());
-    if (!c.cable.linearise(adapt)) return false;
-    c.plane = cablePlane(robot_.cables[i], pose_);
-    const double tension = c.cable.tensionA();
-    Eigen::Matrix3d system;
-    system << c.cable.end().jacobian, c.cable.horizontalForce() / tension, c.cable.verticalForceA() / tension, 0.0;
-    const Eigen::Matrix3d inverse = system.inverse();
-    const Eigen::Vector2d defect = Eigen::Vector2d(c.plane.x, c.plane.y) - c.cable.end().position;
-    c.by_end = inverse.leftCols<2>();
-    c.start = c.by_end * defect;
-    c.by_tension = inverse.col(2);
-    c.by_turn = c.by_end * c.plane.toPlane() * -cross(c.plane.arm);
-    if (!inverse.allFinite()) return false;
-  }
-  return true;
-}
-
 Status InverseSolve::iterate(double tolerance) {
+  const RungOptions closed_form = closedForm();
   bool adapt = true;
   double last_size = std::numeric_limits<double>::infinity();
   Eigen::Vector3d last_turn = Eigen::Vector3d::Zero();
@@ -174,44 +113,86 @@ Status InverseSolve::iterate(double tolerance) {
     if (Clock::now() > deadline_) {
       return {Code::kTimedOut, "the time allowed ran out while the tensions were distributed"};
     }
-    ++iterations_;
-    if (!linearise(adapt ? Steps::kNew : Steps::kKept)) break;
-    if (pullBackFromFolds() && !linearise(Steps::kNew)) break;
-    distribution_ = distribute();
-    for (int k = 0; k < 3 && raiseLimitsToFolds(distribution_.tensions); ++k) distribution_ = distribute();
-    const auto n = static_cast<Eigen::Index>(cables_.size());
-    const Eigen::VectorXd tensions = distribution_.tensions.head(n);
-    const Eigen::Vector3d turn =
-        free_turn_ ? Eigen::Vector3d(distribution_.tensions.tail<3>()) : Eigen::Vector3d::Zero();
-    double damping = 1.0;
-    // A heavy turn takes short steps: what counts is the slope that is left.
-    double size = turn.norm() * std::max(1.0, turn_weight_ * turn_weight_);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const InverseCable& c = cables_[k];
-      const Eigen::Vector3d change = c.change(tensions(k), turn);
-      if (!change.allFinite())
-        return {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
-      damping = std::min(damping, c.cable.dampingFor(change));
-      size = std::max({size, change.head<2>().norm() / c.cable.tensionA(), std::abs(change.z()) / c.cable.length(),
-                       c.cable.angleChange(change)});
-    }
-    for (Eigen::Index k = 0; k < n; ++k) cables_[k].cable.step(cables_[k].change(tensions(k), turn), damping);
-    pose_ = displaced(pose_, Eigen::Vector3d::Zero(), damping * turn);
-    // The turn has no curvature in the linearised problem: where it swings, its weight grows.
-    if (i > 0 && (turn.dot(last_turn) < 0.0 || size > 1.5 * last_size)) turn_weight_ *= 1.5;
-    last_turn = turn;
-    const bool settled = size <= tolerance || (size < 1e-6 && size >= 0.5 * last_size);
-    if ((settled && !adapt) || i >= kIterationsToFeasibility) {
-      if (!distribution_.feasible) return contradiction(distribution_);
-    }
-    if (settled && !adapt) {
-      if (!isBalanced()) return unbalanced(distribution_.imbalance);
-      return {Code::kConverged, ""};
-    }
-    adapt = choosesStepsNext(size, i);
-    last_size = size;
+    ++outcome_.iterations;
+    if (!iteration_.linearisedAboveFolds(closed_form, adapt ? Steps::kNew : Steps::kKept)) break;
+    outcome_.residuals = iteration_.residuals();
+    const InverseIteration::Move move = iteration_.plannedMove();
+    if (!move.finite) return {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
+    iteration_.take(move);
+    if (i > 0 && (move.turn.dot(last_turn) < 0.0 || move.size > kSwing * last_size)) iteration_.makeTurnHeavier();
+    last_turn = move.turn;
+    const bool settled = hasSettled(move.size, last_size, tolerance) && !adapt;
+    const bool decided = settled || i >= kIterationsToFeasibility;
+    if ((decided && !iteration_.isFeasible()) || (settled && !iteration_.isBalanced())) return iteration_.infeasible();
+    if (settled) return {Code::kConverged, ""};
+    adapt = choosesStepsNext(move.size, i);
+    last_size = move.size;
   }
   return {Code::kNotConverged, "the tensions did not settle at this pose"};
+}
+
+Status InverseSolve::settle(double tolerance) {
+  const Status status = iterate(tolerance);
+  return status.ok() ? checkBranches() : status;
+}
+
+// A cable that pushes has no place in a solution with tension limits above zero.
+Status InverseSolve::checkBranches() const {
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    const SaggingCable& cable = iteration_.cables()[i].cable;
+    if (cable.pushes() && robot_.cables[i].tension_min > 0.0) {
+      return {Code::kInfeasible,
+              "cable '" + robot_.cables[i].name + "' would be in compression, which its tension_min forbids"};
+    }
+    if (!cable.onBranch()) {
+      return {Code::kWrongBranch,
+              "cable '" + robot_.cables[i].name + "' ended in an equilibrium that is not the sagging one"};
+    }
+  }
+  return {Code::kConverged, ""};
+}
+
+bool InverseSolve::follow(const InverseRequest& request) {
+  outcome_.iterations = 0;
+  external_ = request.external_wrench;
+  iteration_.begin(request);
+  if (iteration_.isFree()) return false;
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    iteration_.cables()[i].lower = robot_.cables[i].tension_min;
+  }
+  if (!predict() || !converge() || !checkBranches().ok()) return false;
+  return options_.model != Model::kAuto || choice_.serve(robot_, iteration_.reached(), options_.accuracy, rungs_);
+}
+
+// The cables follow the platform at constant tension.
+bool InverseSolve::predict() {
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    InverseCable& c = iteration_.cables()[i];
+    const CablePlane plane = cablePlane(robot_.cables[i], iteration_.pose());
+    const Eigen::Vector3d change = c.by_end * Eigen::Vector2d(plane.x - c.plane.x, plane.y - c.plane.y);
+    if (!(c.size(change) < kLongestReach)) return false;
+    c.cable.follow(change);
+  }
+  return true;
+}
+
+// From a state near the solution, and away from folds.
+bool InverseSolve::converge() {
+  const RungOptions closed_form = closedForm();
+  double last_size = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostLinearisations; ++i) {
+    ++outcome_.iterations;
+    if (!iteration_.linearise(Steps::kNewWhereDue)) return false;
+    iteration_.distribute();
+    if (!iteration_.isFeasible() || !iteration_.isBalanced()) return false;
+    if (anyAtFold(iteration_.cables(), iteration_.distribution().tensions, closed_form)) return false;
+    const InverseIteration::Move move = iteration_.plannedMove();
+    if (!move.finite || move.damping < 1.0) return false;
+    iteration_.take(move);
+    if (hasSettled(move.size, last_size, options_.tolerance)) return true;
+    last_size = move.size;
+  }
+  return false;
 }
 
 }  // namespace cdpr_kinetostatics

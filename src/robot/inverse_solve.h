@@ -1,39 +1,20 @@
 // Inverse kinetostatics by sequential quadratic programming: cables are linearised, the nearest tensions to the
-// preferred ones that balance the platform within the limits are found exactly, all cables step towards them.
+// preferred ones that balance the platform within the limits are found exactly, all cables step towards them
+// (docs/theory.md section 5, equation (36)).
+//
+// solveInverse() uses one of these once, InverseFollower keeps one and goes on from its last answer.
 #pragma once
 
 #include <chrono>
 #include <vector>
 
-#include "cable/rung_problems.h"
-#include "cable/sagging_cable.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "cdpr_kinetostatics/robot/tension_distribution.h"
-#include "robot/coupled_newton.h"
-#include "robot/platform_statics.h"
+#include "robot/inverse_iteration.h"
 #include "robot/rung_choice.h"
+#include "robot/search_outcome.h"
 
 namespace cdpr_kinetostatics {
 
-// Cables keep this multiple of the least tension that can hold them.
-constexpr double kAboveFold = 1.001;
-
-struct InverseCable {
-  SaggingCable cable;
-  CablePlane plane;
-  double lower = 0.0;  // limits of T_A in use [N]
-  double upper = 0.0;
-  // (H, V, L) change by start + by_tension * (t - T_A) + by_turn * rotation; start is by_end times what is open at B.
-  Eigen::Vector3d start, by_tension;
-  Eigen::Matrix<double, 3, 2> by_end;
-  Eigen::Matrix3d by_turn;
-
-  Eigen::Vector3d change(double tension, const Eigen::Vector3d& turn) const {
-    return start + by_tension * (tension - cable.tensionA()) + by_turn * turn;
-  }
-};
-
-// Keeps what it has found, so that the next request can start from there.
 class InverseSolve {
  public:
   using Clock = std::chrono::steady_clock;
@@ -42,53 +23,40 @@ class InverseSolve {
   InverseSolve(const RobotDescription& robot, const RobotSolverOptions& options);
 
   // Requests are taken as checked by checkInverse(). AUTO that finds no answer tries BENDING on every cable.
-  Status solve(const InverseRequest& request, Clock::time_point deadline);
+  const Status& solve(const InverseRequest& request, Clock::time_point deadline);
 
   // From the last answer, which must be one. False where that leads nowhere: near folds and other branches, to other
-  // rungs, with a free attitude, where limits contradict each other.
+  // models by AUTO, with a free attitude, where limits contradict each other.
   bool follow(const InverseRequest& request);
 
-  // The last answer.
+  // The last answer in full, or what a search that failed had reached.
   RobotSolution solution() const;
-  const std::vector<InverseCable>& cables() const { return cables_; }
-  int iterations() const { return iterations_; }
+
+  // Of the last answer.
+  double length(std::size_t i) const { return iteration_.cables()[i].cable.length(); }     // unstrained [m]
+  double tension(std::size_t i) const { return iteration_.cables()[i].cable.tensionA(); }  // at A [N]
+
+  // Linearisations of the last call.
+  int iterations() const { return outcome_.iterations; }
 
  private:
-  void begin(const InverseRequest& request);
   Status run(Model model);
-  RobotForces reached() const;
-  Status startCables();
-  void useRungs(const std::vector<Model>& rungs);
   Status iterate(double tolerance);
+  Status settle(double tolerance);
   Status checkBranches() const;
-  bool linearise(Steps steps);
-  TensionDistribution distribute();
-  bool isBalanced() const;
-  RungOptions roughly() const;
-  bool pullBackFromFolds();
-  bool raiseLimitsToFolds(const Eigen::VectorXd& tensions);
-  Status contradiction(const TensionDistribution& distribution) const;
-  Status unbalanced(double imbalance) const;
-
-  bool nearFold(const InverseCable& cable, double tension) const;
-  bool beyondFold(const InverseCable& cable) const;
+  RungOptions closedForm() const;
 
   bool predict();
   bool converge();
 
   const RobotDescription& robot_;
   const RobotSolverOptions options_;
-  InverseRequest request_;
+  Wrench external_ = Wrench::Zero();
   Clock::time_point deadline_;
-  Pose pose_;
-  bool free_turn_ = false;
-  Eigen::VectorXd preferred_;
-  double turn_weight_ = 0.0;
-  std::vector<InverseCable> cables_;
+  InverseIteration iteration_;
   std::vector<Model> rungs_;  // of the cables
   RungChoice choice_;         // AUTO
-  TensionDistribution distribution_;
-  int iterations_ = 0;
+  SearchOutcome outcome_;
 };
 
 // Of a request and of the options: an answer to give instead of a solution.

@@ -2,7 +2,7 @@
 //
 // A stiff cable resists along its chord a thousand times as much as across it, so an end that moves on a circle about A
 // leaves the tangent by a distance that a derivative takes for stretch. Written in the frame of the chord, the force is
-// nearly linear in the chord's length and angle (docs/theory.md section 5, "Prediction").
+// nearly linear in the chord's length and angle (docs/theory.md section 5, equation (35a)).
 #pragma once
 
 #include <Eigen/Core>

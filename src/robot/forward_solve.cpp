@@ -223,7 +223,7 @@ RobotSolution ForwardSolve::assembled() const {
 }
 
 RobotSolution ForwardSolve::solution() const {
-  if (!outcome_.ok()) return refusedRobot(options_.model, outcome_);
+  if (!outcome_.ok()) return failedRobot(options_.model, outcome_);
   RobotSolution solution = answer_ ? *answer_ : assembled();
   solution.report.iterations = outcome_.iterations;
   return solution;

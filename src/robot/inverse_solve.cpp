@@ -89,7 +89,7 @@ Status InverseSolve::run(Model model) {
 }
 
 RobotSolution InverseSolve::solution() const {
-  if (!outcome_.ok()) return refusedRobot(options_.model, outcome_);
+  if (!outcome_.ok()) return failedRobot(options_.model, outcome_);
   RobotSolution solution;
   solution.pose = iteration_.pose();
   solution.report.status.code = Code::kConverged;

@@ -1,8 +1,9 @@
 // What the cables' rungs leave out, seen at the platform: how far it would move if the cables were the real ones.
 //
 // One Newton step of the finest rung from a coarser solution: each cable's force error at fixed ends
-// (cable/model_error.h) unbalances the platform, and the robot's stiffness says where that takes it
-// (docs/theory.md section 5). For lengths applied to a robot: inverse solutions are judged by the same number.
+// (cable/rung_error.h) unbalances the platform, and the robot's stiffness says where that takes it
+// (docs/theory.md section 5, equation (37)). An inverse solution is judged by the same number: it says how far from the
+// pose asked for the platform would come to rest if the lengths were applied to the robot.
 #pragma once
 
 #include <string>

@@ -1,7 +1,9 @@
-// AUTO on a robot: for each cable the coarsest rung with which the platform stays within the accuracy asked for.
+// AUTO on a robot: for each cable the coarsest model ("rung" of the ladder of models) with which the platform stays
+// within the accuracy asked for.
 //
-// What each rung leaves out is estimated cable by cable (cable/model_error.h) and taken to the platform by the robot's
-// stiffness; rungs are then refined, the worst cable's first, until the sum is small enough (docs/theory.md section 5).
+// What each rung leaves out is estimated cable by cable (cable/rung_error.h) and taken to the platform by the robot's
+// stiffness; rungs are then refined, the worst cable's first, until the sum is small enough (docs/theory.md section 5,
+// equation (37)).
 #pragma once
 
 #include <Eigen/Core>
@@ -34,7 +36,8 @@ class RungChoice {
   const std::vector<Model>& choose(const RobotDescription& robot, const RobotForces& state, double accuracy,
                                    const std::vector<Model>& kept);
 
-  // Whether the rungs in use serve at a state along a path: none need be finer, and not for long could any be coarser.
+  // Whether the rungs in use serve at a state along a path: no cable needs a finer one, and it has not been so for many
+  // states that some cable could do with a coarser one.
   bool serve(const RobotDescription& robot, const RobotForces& state, double accuracy, const std::vector<Model>& used);
 
  private:

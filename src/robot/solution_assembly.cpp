@@ -28,7 +28,7 @@ RobotSolution refusedRobot(Model model, const Status& status) {
   return solution;
 }
 
-RobotSolution refusedRobot(Model model, const SearchOutcome& outcome) {
+RobotSolution failedRobot(Model model, const SearchOutcome& outcome) {
   RobotSolution solution = refusedRobot(model, outcome.status);
   solution.report.iterations = outcome.iterations;
   solution.report.closure_residual = outcome.residuals.closure;

@@ -11,9 +11,10 @@
 
 namespace cdpr_kinetostatics {
 
-// No solution: the report says why, and what the search had reached if there was one.
+// No solution: the report says why.
 RobotSolution refusedRobot(Model model, const Status& status);
-RobotSolution refusedRobot(Model model, const SearchOutcome& outcome);
+// The same of a search that found none, with what it had reached.
+RobotSolution failedRobot(Model model, const SearchOutcome& outcome);
 
 // Cable i between its anchor and the platform at the pose, with so many profile points.
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,

@@ -96,7 +96,7 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
   } else {
     outcome = solveInextensible(robot, request, options.tolerance, deadline, &springs, &solution.pose);
   }
-  if (!outcome.ok()) return refusedRobot(options.model, outcome);
+  if (!outcome.ok()) return failedRobot(options.model, outcome);
 
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {

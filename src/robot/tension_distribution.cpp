@@ -17,8 +17,8 @@ constexpr double kRank = 1e-10;
 // Accepted violation of a limit, relative to the scaled variables' size.
 constexpr double kLimitTolerance = 1e-12;
 
-// And in the matrix times its transpose, where the shares are squared, for a solution as exact as that by singular
-// values.
+// Least reciprocal condition number of the matrix times its transpose, in which singular values are squared: above it,
+// the solution by that product is as exact as the one by singular values.
 constexpr double kRankOfSquare = 1e-8;
 
 // Weight of the tensions' norm beside that of the imbalance, both relative.

@@ -47,7 +47,8 @@ TEST(CablePlane, HoldsTheEndOfTheCable) {
 
 TEST(CablePlane, AVerticalCableTakesTheXAxis) {
   for (const double height : {-3.0, 3.0}) {
-    const CablePlane plane = cablePlane({1.0, 2.0, 5.0}, {0.0, 0.0, height}, Pose{{1.0, 2.0, 5.0}, {1.0, 0.0, 0.0, 0.0}});
+    const CablePlane plane =
+        cablePlane({1.0, 2.0, 5.0}, {0.0, 0.0, height}, Pose{{1.0, 2.0, 5.0}, {1.0, 0.0, 0.0, 0.0}});
     EXPECT_EQ(plane.x, 0.0);
     EXPECT_EQ(plane.y, height);
     EXPECT_EQ(plane.direction, Eigen::Vector3d(Eigen::Vector3d::UnitX()));

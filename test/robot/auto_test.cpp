@@ -6,7 +6,6 @@
 
 #include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
-#include "robot/rung_choice.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {
@@ -140,30 +139,6 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Auto,
                          testing::Values("cogiro", "caroca", "ipanema3", "desktop_music_wire", "fast", "scampi",
                                          "paper_point_mass"),
                          [](const auto& robot) { return robot.param; });
-
-TEST(AutoInAStream, KeepsARungThatTheCoarserOneWouldOnlyJustReplace) {
-  // One cable's catenary moves the platform by `effect`; AUTO may neglect half the accuracy.
-  const auto chosen = [](double effect, const std::vector<Model>& kept) {
-    RungEffects cable;
-    for (Wrench& displacement : cable.displacement) displacement.setZero();
-    cable.displacement[0].x() = 1.0;
-    cable.displacement[1].x() = effect;
-    cable.known.fill(true);
-    return RungChoice().choose(std::vector<RungEffects>{cable}, 1e-4, kept).front();
-  };
-  EXPECT_EQ(chosen(3e-5, {}), Model::kCatenary);
-  EXPECT_EQ(chosen(6e-5, {}), Model::kCatenaryCorrected);
-  EXPECT_EQ(chosen(3e-5, {Model::kCatenaryCorrected}), Model::kCatenaryCorrected);
-  EXPECT_EQ(chosen(1e-5, {Model::kCatenaryCorrected}), Model::kCatenary);
-  EXPECT_EQ(chosen(6e-5, {Model::kCatenary}), Model::kCatenaryCorrected);
-}
-
-TEST(AutoInAStream, NeverUsesARungWhoseErrorIsNotKnown) {
-  RungEffects cable;
-  for (Wrench& displacement : cable.displacement) displacement.setZero();
-  cable.known = {false, false, true, true};
-  EXPECT_EQ(RungChoice().choose(std::vector<RungEffects>{cable}, 1.0, {}).front(), Model::kCatenaryCorrected);
-}
 
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -50,8 +50,7 @@ TEST_P(CoupledNewtonOfCogiro, ResidualsAreThoseOfTheLinearisedState) {
   ASSERT_TRUE(newton_.linearise(Wrench::Zero(), Steps::kNew, &state));
   double open = 0.0;
   for (std::size_t i = 0; i < state.cables.size(); ++i) {
-    const Eigen::Vector3d to_b =
-        attachmentInWorld(state.pose, robot_.cables[i].attachment) - robot_.cables[i].anchor;
+    const Eigen::Vector3d to_b = attachmentInWorld(state.pose, robot_.cables[i].attachment) - robot_.cables[i].anchor;
     const Eigen::Vector2d end(to_b.head<2>().norm(), to_b.z());
     open = std::max(open, (state.cables[i].end().position - end).norm());
   }

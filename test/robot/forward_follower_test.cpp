@@ -167,6 +167,50 @@ TEST_F(Following, RecoversFromRequestsThatCannotBeServed) {
   EXPECT_EQ(follower.solve(few).code, Code::kInvalidInput);
 }
 
+TEST_F(Following, AColdStartCostsWhatAColdSolveCosts) {
+  const ForwardRequest request = requestAt({0.0, 0.0, 1.5});
+  for (const Model model :
+       {Model::kStraight, Model::kStraightElastic, Model::kCatenary, Model::kBending, Model::kAuto}) {
+    const RobotSolverOptions options = patient(model, kTolerance);
+    const RobotSolution cold = solveForward(robot_, request, options);
+    ForwardFollower follower(robot_, options);
+    ASSERT_EQ(follower.solve(request).code, cold.report.status.code);
+    EXPECT_EQ(follower.iterations(), cold.report.iterations) << modelName(model);
+    EXPECT_EQ(follower.pose().position, cold.pose.position) << modelName(model);
+    EXPECT_EQ(tensionsOf(follower.solution()), tensionsOf(cold)) << modelName(model);
+    EXPECT_EQ(follower.solution().report.status.message, cold.report.status.message);
+  }
+}
+
+TEST_F(Following, AColdStartObeysTheDeadline) {
+  const ForwardRequest request = requestAt({0.0, 0.0, 1.5});
+  options_.timeout = std::chrono::duration<double>(1e-9);
+  ForwardFollower follower(robot_, options_);
+  EXPECT_EQ(follower.solve(request).code, Code::kTimedOut);
+  EXPECT_EQ(follower.solution().report.status.code, Code::kTimedOut);
+}
+
+TEST_F(Following, PoseLengthsAndTensionsAreThoseOfTheSolution) {
+  for (const Model model :
+       {Model::kStraight, Model::kStraightElastic, Model::kCatenary, Model::kBending, Model::kAuto}) {
+    SCOPED_TRACE(modelName(model));
+    const RobotSolverOptions options = patient(model, kTolerance);
+    ForwardFollower follower(robot_, options);
+    for (const double x : {0.0, 0.005}) {
+      const ForwardRequest request = requestAt({x, 0.0, 1.5});
+      if (!follower.solve(request).ok()) continue;
+      const RobotSolution solution = follower.solution();
+      EXPECT_EQ(follower.pose().position, solution.pose.position);
+      EXPECT_EQ(follower.iterations(), solution.report.iterations);
+      for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+        const double tension = solution.cables[i].cable.tension_a;
+        EXPECT_NEAR(follower.length(i), request.lengths[i], 1e-15 * request.lengths[i]);
+        EXPECT_NEAR(follower.tension(i), tension, 1e-9 * tension);
+      }
+    }
+  }
+}
+
 TEST_F(Following, ForgettingMakesTheNextSolveCold) {
   const ForwardRequest request = requestAt({0.0, 0.0, 1.5});
   ForwardFollower follower(robot_, options_);

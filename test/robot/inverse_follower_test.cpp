@@ -190,6 +190,18 @@ TEST_F(InverseFollowingCogiro, RecoversFromRequestsThatCannotBeServed) {
   }
 }
 
+TEST_F(InverseFollowingCogiro, LengthsAndTensionsAreThoseOfTheSolution) {
+  for (const double x : {0.0, 0.005}) {
+    ASSERT_TRUE(follower_.solve(requestAt({x, 0.0, 1.5})).ok());
+    EXPECT_EQ(follower_.warmStarted(), x > 0.0);
+    const RobotSolution solution = follower_.solution();
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      EXPECT_EQ(follower_.length(i), solution.cables[i].cable.length);
+      EXPECT_NEAR(follower_.tension(i), solution.cables[i].cable.tension_a, 1e-9);
+    }
+  }
+}
+
 TEST_F(InverseFollowingCogiro, ForgettingMakesTheNextSolveCold) {
   const InverseRequest request = requestAt({0.0, 0.0, 1.5});
   ASSERT_TRUE(follower_.solve(request).ok());

@@ -23,7 +23,7 @@ std::vector<CableSolution> cablesOf(const RobotSolution& solution) {
 }
 
 TEST(PlatformError, IsTheWayToThePoseOfTheFinestModel) {
-  for (const char* name : {"cogiro", "desktop_music_wire", "scampi"}) {
+  for (const char* name : {"cogiro", "ipanema3", "scampi"}) {
     SCOPED_TRACE(name);
     const RobotDescription robot = shippedRobot(ROBOT_DIR, name);
     const RobotSolution fine = solvedAtHome(robot, Model::kBending);

@@ -139,6 +139,24 @@ TEST_F(Refusals, AMillisecondIsObeyedOrEnough) {
   }
 }
 
+// What a solve did before it gave up is what a user needs to see.
+TEST_F(Refusals, AFailureReportsItsIterationsAndResiduals) {
+  InverseRequest heavy = inverse_;
+  heavy.external_wrench.z() = -1e5;
+  const RobotSolution inverse = solveInverse(robot_, heavy, options_);
+  EXPECT_EQ(inverse.report.status.code, Code::kInfeasible);
+  EXPECT_GT(inverse.report.iterations, 0);
+  EXPECT_GT(inverse.report.force_residual, 0.0);
+
+  ForwardRequest short_ones = forward_;
+  for (double& length : short_ones.lengths) length *= 0.05;
+  const RobotSolution forward = solveForward(robot_, short_ones, patient(Model::kCatenaryInextensible));
+  EXPECT_FALSE(forward.report.status.ok());
+  EXPECT_GT(forward.report.iterations, 0);
+  EXPECT_GT(forward.report.closure_residual, 0.0);
+  EXPECT_TRUE(isFinite(inverse) && isFinite(forward));
+}
+
 TEST_F(Refusals, APoseOutOfTheWorkspaceNamesCablesAndLimits) {
   for (const Model model : {Model::kCatenary, Model::kBending}) {
     InverseRequest request = inverse_;

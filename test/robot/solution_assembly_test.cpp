@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot_audit.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {
@@ -54,6 +55,68 @@ TEST(SolutionAssembly, ResidualsAreSummedAnewFromTheCables) {
   EXPECT_NEAR(assembled.report.moment_residual, arm.cross(pull).norm(), 1e-4);
   EXPECT_EQ(assembled.report.closure_residual, 0.125);
   EXPECT_EQ(assembled.cables[2].name, robot.cables[2].name);
+}
+
+TEST(SolutionAssembly, ResidualsAreThoseOfAnIndependentSum) {
+  for (const char* name : {"cogiro", "paper_point_mass"}) {
+    const RobotDescription robot = shippedRobot(ROBOT_DIR, name);
+    RobotSolution at = solveInverse(robot, requestFor(robot, robot.home), patient(Model::kCatenary));
+    ASSERT_TRUE(at.report.status.ok());
+    std::vector<CableSolution> cables;
+    std::vector<PlaneForces> forces;
+    for (const CableResult& result : at.cables) {
+      cables.push_back(result.cable);
+      cables.back().horizontal_force *= 1.01;  // no longer in balance
+      forces.push_back({cables.back().horizontal_force, cables.back().vertical_force_a, cables.back().length});
+    }
+    cables.front().closure_residual = 0.02;
+    Wrench external = Wrench::Zero();
+    external.z() = 3.0;
+    const Wrench total = totalWrench(robot, external, at.pose, forces);
+    RobotSolution solution;
+    solution.pose = at.pose;
+    assemble(robot, external, cables, &solution);
+    EXPECT_EQ(solution.report.closure_residual, 0.02);
+    EXPECT_NEAR(solution.report.force_residual, total.head<3>().norm(), 1e-9 * robot.weight());
+    EXPECT_NEAR(solution.report.moment_residual, robot.freedoms() == 6 ? total.tail<3>().norm() : 0.0,
+                1e-9 * robot.weight());
+    EXPECT_EQ(solution.report.model, Model::kCatenary);
+    Wrench by_cables = Wrench::Zero();
+    for (std::size_t i = 0; i < cables.size(); ++i) {
+      EXPECT_EQ(solution.cables[i].name, robot.cables[i].name);
+      by_cables.head<3>() += solution.cables[i].force_on_platform;
+    }
+    EXPECT_NEAR(by_cables.z() + external.z() - robot.weight(), total.z(), 1e-9 * robot.weight());
+  }
+}
+
+TEST(SolutionAssembly, ProfilesRunFromTheAnchorToTheAttachment) {
+  const RobotDescription robot = shippedRobot(ROBOT_DIR, "cogiro");
+  RobotSolverOptions options = patient(Model::kCatenary, 1e-11);
+  options.profile_points = 5;
+  const RobotSolution at = solveInverse(robot, requestFor(robot, robot.home), options);
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    ASSERT_EQ(at.cables[i].profile.size(), 5U);
+    EXPECT_LT((at.cables[i].profile.front() - robot.cables[i].anchor).norm(), 1e-9);
+    const Eigen::Vector3d b = attachmentInWorld(at.pose, robot.cables[i].attachment);
+    EXPECT_LT((at.cables[i].profile.back() - b).norm(), 1e-6);
+  }
+}
+
+TEST(SolutionAssembly, AFailureCarriesWhatTheSearchHadReached) {
+  SearchOutcome outcome;
+  outcome.status = {Code::kNotConverged, "why"};
+  outcome.iterations = 7;
+  outcome.residuals = {0.1, 0.2, 0.3};
+  const RobotSolution refused = failedRobot(Model::kBending, outcome);
+  EXPECT_EQ(refused.report.status.code, Code::kNotConverged);
+  EXPECT_EQ(refused.report.status.message, "why");
+  EXPECT_EQ(refused.report.model, Model::kBending);
+  EXPECT_EQ(refused.report.iterations, 7);
+  EXPECT_EQ(refused.report.closure_residual, 0.1);
+  EXPECT_EQ(refused.report.force_residual, 0.2);
+  EXPECT_EQ(refused.report.moment_residual, 0.3);
+  EXPECT_TRUE(refused.cables.empty());
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ TEST_F(SpringsOfCogiro, WithoutLoadTheSpringsFitAsWellAsTheyCan) {
 
 TEST_F(SpringsOfCogiro, StopsAtTheDeadline) {
   Pose pose = robot_.home;
-  const SearchOutcome outcome = SpringPlatform(robot_, &external_)
-                                    .descend(springs_, 1e-10, Clock::now() - std::chrono::seconds(1), &pose);
+  const SearchOutcome outcome =
+      SpringPlatform(robot_, &external_).descend(springs_, 1e-10, Clock::now() - std::chrono::seconds(1), &pose);
   EXPECT_EQ(outcome.status.code, Code::kTimedOut);
   EXPECT_EQ(outcome.iterations, 0);
   EXPECT_GT(outcome.residuals.force, 0.0) << "the seed's";

@@ -174,5 +174,24 @@ TEST(StraightForward, MoreCablesThanFreedomsGiveTheLeastSquaresPose) {
   }
 }
 
+// All cables end at the platform's origin, where no moment can be balanced but that of a weight without an arm: the
+// radius is zero, and moments still count.
+TEST(StraightForward, CablesThatMeetAtTheOriginBalanceTheForce) {
+  RobotDescription robot = shippedRobot(ROBOT_DIR, "cogiro");
+  robot.mass = 10.0;
+  robot.com.setZero();
+  for (CableDescription& cable : robot.cables) cable.attachment.setZero();
+  ASSERT_EQ(robot.platformRadius(), 0.0);
+  for (const double factor : {1.0, 0.999}) {
+    ForwardRequest request;
+    request.lengths = chords(robot, robot.home, factor);
+    const RobotSolution solution = solveForward(robot, request, patient(Model::kStraight, 1e-10));
+    EXPECT_TRUE(isFinite(solution));
+    ASSERT_TRUE(solution.report.status.ok()) << solution.report.status.message;
+    EXPECT_LT(solution.report.force_residual, 1e-6 * robot.weight()) << factor;
+    EXPECT_LT(solution.report.moment_residual, 1e-6 * robot.weight()) << factor;
+  }
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -33,11 +33,12 @@ struct RobotReport {
   int iterations = 0;
   int integrator_steps = 0;  // as CableSolution's, of all cables in the answer
   int evaluations = 0;
-  double solve_time = 0.0;        // [s]
+  double solve_time = 0.0;  // [s]
+  // A solve that failed reports the residuals of the last state that it could evaluate; zero if there was none.
   double closure_residual = 0.0;  // largest distance of a cable's end from its attachment [m]
   double force_residual = 0.0;    // norm of the unbalanced force [N]
   double moment_residual = 0.0;   // norm of the unbalanced moment about the platform origin [N m]
-  // What the rungs in use neglect, at the platform, to leading order (robot/modelling_effect.h).
+  // What the models in use neglect, at the platform, to leading order (docs/theory.md section 5, equation (37)).
   double estimated_error = 0.0;           // [m]
   double estimated_rotation_error = 0.0;  // [rad]
   bool error_known = true;                // false where the estimate is an order of magnitude at best

@@ -25,6 +25,9 @@ constexpr double kNoSolution = 1e-6;
 // The springs' pose is a start for the catenaries': this much of the span is near enough.
 constexpr double kSpringTolerance = 1e-4;
 
+// Least radius of a platform by which its moments are divided, as a share of the robot's span.
+constexpr double kLeastRadius = 1e-3;
+
 // The robot's span and the load: Ceres scales columns and bounds its damping by absolute numbers, so the search runs
 // where both are 1.
 struct Units {
@@ -58,6 +61,78 @@ class StopWhenGoodEnough : public ceres::IterationCallback {
     return summary.cost < kGoodEnough ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 };
+
+// The blocks of parameters, in these units. Ceres holds their addresses.
+struct Unknowns {
+  Eigen::Vector3d position;
+  Eigen::Quaterniond orientation;
+  std::vector<std::array<double, 2>> forces;  // (H/x, V) of each cable
+  std::vector<double> lengths;                // constant
+};
+
+Unknowns inUnits(const Units& units, const RobotDescription& robot, const RobotForces& state) {
+  Unknowns unknowns;
+  unknowns.position = state.pose.position / units.length;
+  unknowns.orientation = state.pose.orientation;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const ForcesAtA& forces = state.forces[i];
+    const double x = distanceBeside(cablePlane(robot.cables[i], state.pose).x, state.lengths[i]);
+    unknowns.lengths.push_back(state.lengths[i] / units.length);
+    unknowns.forces.push_back({forces.horizontal / x * units.length / units.force, forces.vertical / units.force});
+  }
+  return unknowns;
+}
+
+// Back from these units, at the lengths that the state has.
+void readInto(RobotForces* state, const Units& units, const RobotDescription& robot, const Unknowns& unknowns) {
+  state->pose.position = units.length * unknowns.position;
+  state->pose.orientation = unknowns.orientation.normalized();
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const auto& [density, vertical] = unknowns.forces[i];
+    const double x = distanceBeside(cablePlane(robot.cables[i], state->pose).x, state->lengths[i]);
+    state->forces[i] = {units.force / units.length * density * x, units.force * vertical};
+  }
+}
+
+// Closure of every cable and the platform's equilibrium, equations (30) and (32). scaled and load: in the unknowns'
+// units.
+void addBlocks(const RobotDescription& scaled, const Wrench& load, Model model, const SolveLimits& limits,
+               Unknowns* unknowns, ceres::Problem* problem) {
+  double* position = unknowns->position.data();
+  double* orientation = unknowns->orientation.coeffs().data();
+  std::vector<double*> blocks = {position, orientation};
+  for (auto& force : unknowns->forces) blocks.push_back(force.data());
+  for (double& length : unknowns->lengths) blocks.push_back(&length);
+  Wrench weight;  // moments count as forces at the platform's radius
+  weight << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / std::max(scaled.platformRadius(), kLeastRadius));
+  problem->AddResidualBlock(equilibriumBlock(scaled, load, weight).release(), nullptr, blocks);
+  for (std::size_t i = 0; i < scaled.cables.size(); ++i) {
+    double* length = &unknowns->lengths[i];
+    ceres::CostFunction* closure = closureBlock(scaled.cables[i], model, *length, limits).release();
+    problem->AddResidualBlock(closure, nullptr, position, orientation, unknowns->forces[i].data(), length);
+    problem->SetParameterBlockConstant(length);
+  }
+  if (scaled.type == PlatformType::kRigidBody) {
+    problem->SetManifold(orientation, new ceres::EigenQuaternionManifold);
+  } else {
+    problem->SetParameterBlockConstant(orientation);
+  }
+}
+
+ceres::Solver::Options searchOptions(std::chrono::steady_clock::time_point deadline) {
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;
+  options.max_num_iterations = kMaxIterations;
+  options.function_tolerance = 0.0;
+  options.gradient_tolerance = 0.0;
+  options.parameter_tolerance = 1e-14;  // some digits above the rounding of numbers of size one
+  options.max_num_consecutive_invalid_steps = 50;
+  options.max_solver_time_in_seconds =
+      std::min(1e6, std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count());
+  return options;
+}
 
 // The stable pose with straight elastic cables nearest to the start.
 SearchOutcome descendWithSprings(const RobotDescription& robot, const Wrench& external,
@@ -101,51 +176,12 @@ SearchOutcome roughStart(const RobotDescription& robot, const Wrench& external, 
 SearchOutcome searchBasin(const RobotDescription& robot, const Wrench& external, Model model, double tolerance,
                           std::chrono::steady_clock::time_point deadline, RobotForces* state) {
   SearchOutcome outcome;
-  const std::size_t count = robot.cables.size();
   const Units units{robot.span(), std::max(robot.weight(), external.head<3>().norm())};
-  const RobotDescription scaled = inUnits(units, robot);
-  Eigen::Vector3d position = state->pose.position / units.length;
-  Eigen::Quaterniond orientation = state->pose.orientation;
-  std::vector<std::array<double, 2>> forces(count);
-  std::vector<double> lengths(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = distanceBeside(cablePlane(robot.cables[i], state->pose).x, state->lengths[i]);
-    lengths[i] = state->lengths[i] / units.length;
-    forces[i] = {state->forces[i].horizontal / x * units.length / units.force, state->forces[i].vertical / units.force};
-  }
-
+  Unknowns unknowns = inUnits(units, robot, *state);
   ceres::Problem problem;
-  std::vector<double*> blocks = {position.data(), orientation.coeffs().data()};
-  for (auto& force : forces) blocks.push_back(force.data());
-  for (double& length : lengths) blocks.push_back(&length);
-  const Wrench load = inUnits(units, external);
-  Wrench weight;  // moments count as forces at the platform's radius
-  weight << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1.0 / std::max(scaled.platformRadius(), 1e-3));
-  problem.AddResidualBlock(equilibriumBlock(scaled, load, weight).release(), nullptr, blocks);
-  for (std::size_t i = 0; i < count; ++i) {
-    ceres::CostFunction* closure = closureBlock(scaled.cables[i], model, lengths[i], {tolerance, deadline}).release();
-    problem.AddResidualBlock(closure, nullptr, position.data(), orientation.coeffs().data(), forces[i].data(),
-                             &lengths[i]);
-    problem.SetParameterBlockConstant(&lengths[i]);
-  }
-  if (robot.type == PlatformType::kRigidBody) {
-    problem.SetManifold(orientation.coeffs().data(), new ceres::EigenQuaternionManifold);
-  } else {
-    problem.SetParameterBlockConstant(orientation.coeffs().data());
-  }
-
+  addBlocks(inUnits(units, robot), inUnits(units, external), model, {tolerance, deadline}, &unknowns, &problem);
   StopWhenGoodEnough stop;
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.max_num_iterations = kMaxIterations;
-  options.function_tolerance = 0.0;
-  options.gradient_tolerance = 0.0;
-  options.parameter_tolerance = 1e-14;
-  options.max_num_consecutive_invalid_steps = 50;
-  options.max_solver_time_in_seconds =
-      std::min(1e6, std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count());
+  ceres::Solver::Options options = searchOptions(deadline);
   options.callbacks.push_back(&stop);
   if (options.max_solver_time_in_seconds <= 0.0) {
     outcome.status = {Code::kTimedOut, "no time was left to look for the pose"};
@@ -153,14 +189,9 @@ SearchOutcome searchBasin(const RobotDescription& robot, const Wrench& external,
   }
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  outcome.iterations = static_cast<int>(summary.iterations.size());
 
-  state->pose.position = units.length * position;
-  state->pose.orientation = orientation.normalized();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = distanceBeside(cablePlane(robot.cables[i], state->pose).x, state->lengths[i]);
-    state->forces[i] = {units.force / units.length * forces[i][0] * x, units.force * forces[i][1]};
-  }
+  readInto(state, units, robot, unknowns);
+  outcome.iterations = static_cast<int>(summary.iterations.size());
   outcome.residuals = residualsOf(robot, external, model, *state);
   if (std::chrono::steady_clock::now() > deadline) {
     outcome.status = {Code::kTimedOut, "the time allowed ran out while looking for the platform's pose"};

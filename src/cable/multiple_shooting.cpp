@@ -16,8 +16,7 @@ namespace {
 constexpr double kLargestStepError = 4.0;
 // A determinant of less than this share of its terms is zero.
 constexpr double kRounding = 1e-15;
-
-// A force that turns farther has hardly a direction. [rad]
+// A force that turns farther has hardly a direction [rad].
 constexpr double kLargestTurn = 0.5;
 
 Eigen::Vector2d feedback(const ShotState& state) { return {state.alpha, state.moment}; }
@@ -111,7 +110,6 @@ bool MultipleShooting::eliminate() {
   Condition condition;
   condition.row << 0.0, 1.0;
   condition.right << -segments_.front().node.y(), 0.0, 0.0, 0.0;
-  angle_defect_ = 0.0;
   moment_defect_ = std::max(std::abs(segments_.front().node.y()), std::abs(last_node_.y()));
   variation_ << 1.0, 0.0;
   focal_points_ = 0;
@@ -145,7 +143,6 @@ bool MultipleShooting::eliminate() {
 MultipleShooting::Condition MultipleShooting::joinShot(const Condition& at_begin, const Eigen::Vector2d& next,
                                                        Segment* segment) {
   const Eigen::Vector2d defect = feedback(segment->shot.end) - next;
-  angle_defect_ = std::max(angle_defect_, std::abs(defect.x()));
   moment_defect_ = std::max(moment_defect_, std::abs(defect.y()));
   double before = variation_.x();
   for (const Eigen::Vector2d& turning : segment->shot.turning) {
@@ -287,12 +284,6 @@ bool MultipleShooting::stable() const {
   const bool opposite = determinant < -kRounding * (xx * xx + ww * ww);
   const int negative = opposite ? 1 : xx + ww < 0.0 ? 2 : 0;
   return focal_points_ == negative;
-}
-
-int MultipleShooting::steps() const {
-  std::size_t sum = 0;
-  for (const Segment& segment : segments_) sum += segment.grid.size();
-  return static_cast<int>(sum);
 }
 
 void MultipleShooting::restore(const MultipleShooting& earlier) {

@@ -31,6 +31,8 @@ enum class Middle {
   kShot,   // by shots
 };
 
+struct ShapeMeter;  // of shape_measures.cpp
+
 class MultipleShooting {
  public:
   // Meshes the cable and starts its nodes from the catenary under the forces (H, V) [N] at A, with the
@@ -87,8 +89,6 @@ class MultipleShooting {
 
   // Largest moment defect between segments and at the free ends [N m] at the last linearise().
   double momentDefect() const { return moment_defect_ * reference_moment_; }
-  // Largest angle defect between segments [rad] at the last linearise().
-  double angleDefect() const { return angle_defect_; }
 
   // Fills the shape's measures (end point, angles, sag, largest moment and shear, strained length) and, for
   // at least two profile points, the profile. The nodes must have converged.
@@ -106,7 +106,11 @@ class MultipleShooting {
   // A bend that is shot parts the quiet middle from an end, or in two.
   bool hasShotBend() const { return shot_bend_; }
   // Integration steps of one pass.
-  int steps() const;
+  int steps() const {
+    std::size_t sum = 0;
+    for (const Segment& segment : segments_) sum += segment.grid.size();
+    return static_cast<int>(sum);
+  }
   // All integration since construction or the last follow().
   const IntegrationWork& work() const { return work_; }
   // Goes back to an earlier state; the work done since stays counted.
@@ -138,7 +142,8 @@ class MultipleShooting {
     Eigen::RowVector4d right;
   };
 
-  // More segments than this are refused: no cable needs them that is not lost already.
+  // More segments than this are refused: a cable that is solved at all needs some tens of them, and a start that asks
+  // for so many has lost its way.
   static constexpr int kMaxSegments = 1000;
 
   void begin(const CableProperties& cable, double length, const Eigen::Vector2d& force, double tolerance,
@@ -176,6 +181,9 @@ class MultipleShooting {
   void forEachPiece(const Segment& middle, ShotState from, const Visit& visit) const;
   double whereSlopeIs(const Segment& middle, double angle) const;
   std::array<double, 2> whereTailsTurn(const Segment& middle) const;
+  // Walk along a segment from its beginning and return the state at its end.
+  ShotState measureMiddle(const Segment& segment, const ShotState& begin, ShapeMeter* meter) const;
+  ShotState measureShot(const Segment& segment, ShotState state, ShapeMeter* meter, IntegrationWork* work) const;
   ShotState middleState(const Segment& middle, double t_from, const ShotState& from, double t) const;
   Affine displacement(const Segment& segment, const Affine& next_change) const;
   Eigen::Vector2d node(std::size_t k) const { return k < segments_.size() ? segments_[k].node : last_node_; }
@@ -199,7 +207,6 @@ class MultipleShooting {
   Affine last_change_ = Affine::Zero();
   EndPoint end_;
   double step_error_ = 0.0;  // largest of a step, in shares of what it should be
-  double angle_defect_ = 0.0;
   double moment_defect_ = 0.0;
   Eigen::Vector2d variation_ = Eigen::Vector2d::Zero();  // of (alpha, moment), from a turn of the end A
   int focal_points_ = 0;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "cable/catenary.h"
 #include "cable/multiple_shooting.h"
@@ -52,6 +54,48 @@ struct Local {
 };
 
 }  // namespace
+
+// Collects the measures of a shape that is walked along from A to B, interval by interval, in the shooting's units.
+struct ShapeMeter {
+  const ShotParameters p;
+  const double chord_angle;
+  const double span;
+  const int profile_points;
+
+  double stretch = 0.0;
+  double sag = 0.0;
+  double max_moment = 0.0;
+  double max_shear = 0.0;
+  std::vector<ProfilePoint> profile;
+
+  Local localAt(double t, const ShotState& state) const { return Local(p, t, state, chord_angle); }
+
+  void addPoint(double t, const ShotState& at) {
+    const Local local = localAt(t, at);
+    profile.push_back({t, at.x, at.y, at.alpha, at.moment, local.tension.value, -local.shear.value});
+  }
+
+  // An interval at whose ends the state is known; inside(t) is the state between.
+  template <typename Inside>
+  void addInterval(double t, const Local& from, double dt, const Local& to, const Inside& inside) {
+    const auto raise = [&](Sample Local::*quantity, double* largest) {
+      *largest = std::max({*largest, std::abs((from.*quantity).value), std::abs((to.*quantity).value)});
+      for (const double share : extremesOfCubic(from.*quantity, to.*quantity, dt)) {
+        if (!(share > 0.0 && share < 1.0)) continue;
+        const double at = t + share * dt;
+        *largest = std::max(*largest, std::abs((localAt(at, inside(at)).*quantity).value));
+      }
+    };
+    raise(&Local::offset, &sag);
+    raise(&Local::moment, &max_moment);
+    raise(&Local::shear, &max_shear);
+    while (static_cast<int>(profile.size()) < profile_points - 1) {
+      const double sample = span * static_cast<double>(profile.size()) / (profile_points - 1);
+      if (sample > t + dt) break;
+      addPoint(sample, inside(sample));
+    }
+  }
+};
 
 // The state at t in the middle, with what is left of the modes of its ends; (x, y) counted on from another.
 ShotState MultipleShooting::middleState(const Segment& middle, double t_from, const ShotState& from, double t) const {
@@ -149,96 +193,86 @@ double MultipleShooting::areaBelowChord() const {
   return area * reference_length_ * reference_length_;
 }
 
-void MultipleShooting::measure(int profile_points, CableSolution* solution) const {
+// Along the middle in closed form: extremes where the slope is that of the chord or of the horizontal, and where the
+// tails of the bending layers turn.
+ShotState MultipleShooting::measureMiddle(const Segment& segment, const ShotState& begin, ShapeMeter* meter) const {
   const ShotParameters p = parameters();
   const double span = length_ / reference_length_;
+  const double t = segment.begin * span;
+  const double length = (segment.end - segment.begin) * span;
+  meter->stretch += catenaryStrainedLength({1.0, 0.0, p.q}, p.h, p.v - p.q * t, length) - length;
+  const std::array<double, 2> tails = whereTailsTurn(segment);
+  for (const double at : {whereSlopeIs(segment, meter->chord_angle), whereSlopeIs(segment, 0.0), tails[0], tails[1]}) {
+    const Local extreme = meter->localAt(at, middleState(segment, t, begin, at));
+    meter->sag = std::max(meter->sag, std::abs(extreme.offset.value));
+    meter->max_moment = std::max(meter->max_moment, std::abs(extreme.moment.value));
+  }
+  ShotState state = begin;
+  forEachPiece(segment, begin, [&](double from_t, const ShotState& from, double dt, const ShotState& to) {
+    meter->addInterval(from_t, meter->localAt(from_t, from), dt, meter->localAt(from_t + dt, to),
+                       [&](double sample) { return middleState(segment, from_t, from, sample); });
+    state = to;
+  });
+  return state;
+}
+
+// Along a shot, step by step on its own grid.
+ShotState MultipleShooting::measureShot(const Segment& segment, ShotState state, ShapeMeter* meter,
+                                        IntegrationWork* work) const {
+  const ShotParameters& p = meter->p;
   const double grid_scale = length_ / grid_length_;
+  double t = segment.begin * meter->span;
+  Shot shot;
+  for (const double recorded : segment.grid) {
+    const double dt = grid_scale * recorded;
+    shootOnGrid(p, t, state, {recorded}, grid_scale, &shot);
+    *work += shot.work;
+    const Local from = meter->localAt(t, state);
+    const Local to = meter->localAt(t + dt, shot.end);
+    meter->stretch +=
+        0.5 * dt * (from.tension.value + to.tension.value) + dt * dt / 12.0 * (from.tension.slope - to.tension.slope);
+    meter->addInterval(t, from, dt, to, [&](double sample) {
+      Shot inside;
+      shootOnGrid(p, t, state, {sample - t}, 1.0, &inside);
+      *work += inside.work;
+      return inside.end;
+    });
+    t += dt;
+    state = shot.end;
+  }
+  return state;
+}
+
+void MultipleShooting::measure(int profile_points, CableSolution* solution) const {
+  const double span = length_ / reference_length_;
   Eigen::Vector2d end = Eigen::Vector2d::Zero();
   for (const Segment& segment : segments_) end += Eigen::Vector2d(segment.shot.end.x, segment.shot.end.y);
-  const double chord_angle = std::atan2(end.y(), end.x());
-
-  double stretch = 0.0;
-  double sag = 0.0;
-  double max_moment = 0.0;
-  double max_shear = 0.0;
-  solution->profile.clear();
-  const auto addPoint = [&](double t, const ShotState& at) {
-    const Local local(p, t, at, chord_angle);
-    solution->profile.push_back({t * reference_length_, at.x * reference_length_, at.y * reference_length_, at.alpha,
-                                 at.moment * reference_moment_, local.tension.value * reference_force_,
-                                 -local.shear.value * reference_force_});
-  };
-  // An interval at whose ends the state is known; inside(t) is the state between.
-  const auto addInterval = [&](double t, const Local& from, double dt, const Local& to, const auto& inside) {
-    const auto raise = [&](Sample Local::*quantity, double* largest) {
-      *largest = std::max({*largest, std::abs((from.*quantity).value), std::abs((to.*quantity).value)});
-      for (const double share : extremesOfCubic(from.*quantity, to.*quantity, dt)) {
-        if (!(share > 0.0 && share < 1.0)) continue;
-        const double at = t + share * dt;
-        *largest = std::max(*largest, std::abs((Local(p, at, inside(at), chord_angle).*quantity).value));
-      }
-    };
-    raise(&Local::offset, &sag);
-    raise(&Local::moment, &max_moment);
-    raise(&Local::shear, &max_shear);
-    while (static_cast<int>(solution->profile.size()) < profile_points - 1) {
-      const double sample = span * static_cast<double>(solution->profile.size()) / (profile_points - 1);
-      if (sample > t + dt) break;
-      addPoint(sample, inside(sample));
-    }
-  };
-
-  Shot shot;
+  ShapeMeter meter{parameters(), std::atan2(end.y(), end.x()), span, profile_points, 0.0, 0.0, 0.0, 0.0, {}};
   IntegrationWork work = work_;
   ShotState state{segments_.front().node.x(), segments_.front().node.y(), 0.0, 0.0};
   for (const Segment& segment : segments_) {
-    double t = segment.begin * span;
     state.alpha = segment.node.x();
     state.moment = segment.node.y();
-    if (segment.quiet) {
-      const double length = (segment.end - segment.begin) * span;
-      stretch += catenaryStrainedLength({1.0, 0.0, p.q}, p.h, p.v - p.q * t, length) - length;
-      const ShotState begin = state;
-      const std::array<double, 2> tails = whereTailsTurn(segment);
-      for (const double at : {whereSlopeIs(segment, chord_angle), whereSlopeIs(segment, 0.0), tails[0], tails[1]}) {
-        const Local extreme(p, at, middleState(segment, t, begin, at), chord_angle);
-        sag = std::max(sag, std::abs(extreme.offset.value));
-        max_moment = std::max(max_moment, std::abs(extreme.moment.value));
-      }
-      forEachPiece(segment, state, [&](double from_t, const ShotState& from, double dt, const ShotState& to) {
-        addInterval(from_t, Local(p, from_t, from, chord_angle), dt, Local(p, from_t + dt, to, chord_angle),
-                    [&](double sample) { return middleState(segment, from_t, from, sample); });
-        state = to;
-      });
-      continue;
-    }
-    for (const double recorded : segment.grid) {
-      const double dt = grid_scale * recorded;
-      shootOnGrid(p, t, state, {recorded}, grid_scale, &shot);
-      work += shot.work;
-      const Local from(p, t, state, chord_angle);
-      const Local to(p, t + dt, shot.end, chord_angle);
-      stretch +=
-          0.5 * dt * (from.tension.value + to.tension.value) + dt * dt / 12.0 * (from.tension.slope - to.tension.slope);
-      addInterval(t, from, dt, to, [&](double sample) {
-        Shot inside;
-        shootOnGrid(p, t, state, {sample - t}, 1.0, &inside);
-        work += inside.work;
-        return inside.end;
-      });
-      t += dt;
-      state = shot.end;
-    }
+    state = segment.quiet ? measureMiddle(segment, state, &meter) : measureShot(segment, state, &meter, &work);
   }
-  if (profile_points > 0) addPoint(span, state);
+  if (profile_points > 0) meter.addPoint(span, state);
+  solution->profile = std::move(meter.profile);
+  for (ProfilePoint& point : solution->profile) {
+    point.s *= reference_length_;
+    point.x *= reference_length_;
+    point.y *= reference_length_;
+    point.moment *= reference_moment_;
+    point.tension *= reference_force_;
+    point.shear *= reference_force_;
+  }
   solution->x = state.x * reference_length_;
   solution->y = state.y * reference_length_;
-  solution->strained_length = length_ + p.eps * stretch * reference_length_;
+  solution->strained_length = length_ + meter.p.eps * meter.stretch * reference_length_;
   solution->angle_a = segments_.front().node.x();
   solution->angle_b = last_node_.x();
-  solution->sag = sag * reference_length_;
-  solution->max_moment = max_moment * reference_moment_;
-  solution->max_shear = max_shear * reference_force_;
+  solution->sag = meter.sag * reference_length_;
+  solution->max_moment = meter.max_moment * reference_moment_;
+  solution->max_shear = meter.max_shear * reference_force_;
   solution->integrator_steps = work.steps;
   solution->evaluations = work.evaluations;
 }

@@ -22,7 +22,7 @@ struct Candidate {
   Adjusted adjusted;
   Selection selection;
   // Per cable: d(translation, rotation vector)/d(x, y), how the pose moves if the cable's end lay elsewhere in its
-  // plane under the same forces [-, rad/m]; empty until model_effect.h needs it.
+  // plane under the same forces [-, rad/m]; empty until estimate_error.h needs it.
   std::vector<Eigen::Matrix<double, 6, 2>> pose_by_end;
 };
 

@@ -37,7 +37,9 @@ TEST(MeasurementQueue, AResetOutlivesTheMeasurementThatAskedForIt) {
     const auto next = queue.pop();
     EXPECT_EQ(next->header.seq, capacity == 1 ? 4u : 3u);
     EXPECT_TRUE(next->reset_first);
-    if (capacity == 2) EXPECT_FALSE(queue.pop()->reset_first);
+    if (capacity == 2) {
+      EXPECT_FALSE(queue.pop()->reset_first);
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "node_client.h"
 #include "scene.h"
 
 namespace cdpr_kinetostatics {
@@ -121,7 +122,7 @@ TEST(RigFaults, ResetInTheMiddleStartsColdAndGoesOn) {
   ASSERT_TRUE(scene.waitForPoses(50));
   const ros::Time before = scene.poses.rbegin()->first;
   std_srvs::Trigger reset;
-  ASSERT_TRUE(ros::service::call(scene.name("kinetostatics/reset"), reset));
+  ASSERT_TRUE(connect<std_srvs::Trigger>(scene.name("kinetostatics/reset")).call(reset));
   ASSERT_TRUE(scene.waitForPoses(100));
   int cold = 0;
   for (const auto& [stamp, state] : scene.states) cold += stamp > before && !state.report.warm_started ? 1 : 0;

@@ -18,6 +18,7 @@
 #include "cdpr_kinetostatics/SetPose.h"
 #include "cdpr_kinetostatics/robot/inverse.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
+#include "node_client.h"
 #include "ros/conversions.h"
 #include "ros/service_reply.h"
 
@@ -243,16 +244,16 @@ TEST_F(Estimator, StartsAnewWhenTimeGoesBack) {
 TEST_F(Estimator, CanBeResetAndSeeded) {
   sensors_->expectRecovery();
   std_srvs::Trigger reset;
-  ASSERT_TRUE(ros::service::call("/kinetostatics/reset", reset));
+  ASSERT_TRUE(connect<std_srvs::Trigger>("/kinetostatics/reset").call(reset));
   EXPECT_TRUE(reset.response.success);
   EXPECT_FALSE(sensors_->stateAfter(sensors_->message()).report.warm_started);
   SetPose seed;
   seed.request.pose.pose.position.z = 1.4;
-  ASSERT_TRUE(ros::service::call("/kinetostatics/set_pose", seed));
+  ASSERT_TRUE(connect<SetPose>("/kinetostatics/set_pose").call(seed));
   EXPECT_FALSE(seed.response.success) << "the quaternion is 0";
   EXPECT_NE(seed.response.message.find("orientation"), std::string::npos);
   seed.request.pose.pose.orientation.w = 1.0;
-  ASSERT_TRUE(ros::service::call("/kinetostatics/set_pose", seed));
+  ASSERT_TRUE(connect<SetPose>("/kinetostatics/set_pose").call(seed));
   EXPECT_TRUE(seed.response.success) << seed.response.message;
   const KinetostaticState state = sensors_->stateAfter(sensors_->message());
   EXPECT_FALSE(state.report.warm_started);

@@ -13,6 +13,14 @@
 
 namespace cdpr_kinetostatics {
 
+// A persistent connection, closed by the client: where the server closes it after its answer, roscpp's client
+// sometimes sees the end of the connection before the answer and reports a failed call (ros_comm issue 1976).
+template <typename Service>
+ros::ServiceClient connect(const std::string& service) {
+  constexpr bool kPersistent = true;
+  return ros::NodeHandle().serviceClient<Service>(service, kPersistent);
+}
+
 class NodeClient {
  public:
   explicit NodeClient(const std::string& node) : node_(node) {}
@@ -33,7 +41,7 @@ class NodeClient {
     const std::string service = node_ + "/" + name;
     EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(30.0))) << service << " is not offered";
     typename Service::Response response;
-    EXPECT_TRUE(ros::service::call(service, request, response)) << service << " did not answer";
+    EXPECT_TRUE(connect<Service>(service).call(request, response)) << service << " did not answer";
     return response;
   }
 

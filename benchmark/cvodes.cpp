@@ -104,7 +104,7 @@ void compare(const std::string& name, BenchmarkReport* report) {
   const auto ours = [&](double tolerance) {
     return [&grid, tolerance](const ShotProblem& p, Shot* shot) {
       grid.clear();
-      return shootAdaptive(p.parameters, p.t0, p.t1, p.start, {tolerance, tolerance}, &grid, shot);
+      return shootAdaptive(p.parameters, p.t0, p.t1, p.start, tolerance, &grid, shot);
     };
   };
   std::vector<Shot> exact(problems.size());

@@ -44,8 +44,8 @@ long calls = 0;
 
 }  // namespace
 
-bool shootAdaptive(const ShotParameters& parameters, double t0, double t1, const ShotState& start,
-                   const ShotTolerance& tolerance, StepGrid* grid, Shot* shot) {
+bool shootAdaptive(const ShotParameters& parameters, double t0, double t1, const ShotState& start, double tolerance,
+                   StepGrid* grid, Shot* shot) {
   ++calls;
   return in_use.adaptive(parameters, t0, t1, start, tolerance, grid, shot);
 }
@@ -59,7 +59,7 @@ bool shootOnGrid(const ShotParameters& parameters, double t0, const ShotState& s
 namespace {
 
 constexpr double kTolerance = 1e-8;
-constexpr ShotTolerance kShotTolerance = {1e-10, 1e-10};
+constexpr double kShotTolerance = 1e-10;
 
 // Medians of the times of jobs, which take turns.
 std::vector<double> timesInTurn(const std::vector<std::function<void()>>& jobs, int rounds) {

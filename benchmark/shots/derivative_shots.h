@@ -21,8 +21,8 @@ class AutomaticShot {
   }
 
  public:
-  static bool adaptive(const ShotParameters& p, double t0, double t1, const ShotState& start,
-                       const ShotTolerance& tolerance, StepGrid* grid, Shot* shot) {
+  static bool adaptive(const ShotParameters& p, double t0, double t1, const ShotState& start, double tolerance,
+                       StepGrid* grid, Shot* shot) {
     shot->turning.clear();
     PlainState<Jet> end;
     if (!shootPlainAdaptive(seeded(p), t0, t1, seeded(start), tolerance, grid, &end, recordTurning(shot))) return false;
@@ -57,8 +57,8 @@ class DifferencesShot {
   }
 
  public:
-  static bool adaptive(const ShotParameters& p, double t0, double t1, const ShotState& start,
-                       const ShotTolerance& tolerance, StepGrid* grid, Shot* shot) {
+  static bool adaptive(const ShotParameters& p, double t0, double t1, const ShotState& start, double tolerance,
+                       StepGrid* grid, Shot* shot) {
     PlainState<double> end;
     std::vector<double> angles;
     if (!shootPlainAdaptive(plain(p), t0, t1, plain(start), tolerance, grid, &end, record(&angles))) return false;

@@ -40,7 +40,7 @@ class PlainShot {
 
   // Takes one step, unless its error is too large; returns the error in units of the tolerance, infinite where the
   // state has left every physical range.
-  double tryStep(double dt, const ShotTolerance& tolerance) {
+  double tryStep(double dt, double tolerance) {
     advance(dt);
     double alpha = 0.0;
     double moment = 0.0;
@@ -48,7 +48,7 @@ class PlainShot {
       alpha += kError[j] * valueOf(k_[j].alpha);
       moment += kError[j] * valueOf(k_[j].moment);
     }
-    const double error = dt * std::max(std::abs(alpha) / tolerance.alpha, std::abs(moment) / tolerance.moment);
+    const double error = dt * std::max(std::abs(alpha), std::abs(moment)) / tolerance;
     if (!physical() || !std::isfinite(error)) return std::numeric_limits<double>::infinity();
     if (error <= 1.0) accept(dt);
     return error;
@@ -126,7 +126,7 @@ class PlainShot {
 // Chooses the steps as shootAdaptive() does; visit(state) after each. False where that rejects the shot.
 template <typename T, typename Visit>
 bool shootPlainAdaptive(const PlainParameters<T>& parameters, double t0, double t1, const PlainState<T>& start,
-                        const ShotTolerance& tolerance, StepGrid* grid, PlainState<T>* end, const Visit& visit) {
+                        double tolerance, StepGrid* grid, PlainState<T>* end, const Visit& visit) {
   constexpr int kMaxSteps = 4000;
   constexpr double kLongestStep = 0.5;
   PlainShot<T> shot(parameters, t0, start);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cable/bending_newton.h"
+#include "cable/bending_path.h"
 #include "cable/cable_checks.h"
 #include "cable/catenary.h"
 #include "cable/tautness.h"
@@ -13,22 +14,33 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr int kMaxPathSteps = 400;
+// The signed area below the chord may be negative by this share of the square of the length: rounding of a straight
+// cable's.
+constexpr double kAreaRounding = 1e-10;
 
 // A shape that turns by more than this has a loop in it. The largest turn without one is the teardrop of a
-// weightless elastica whose ends touch, 261 degrees.
+// weightless elastica whose ends touch, 261 degrees. [rad]
 constexpr double kLoopAngle = 1.65 * M_PI;
 
-// The catenary is a safe start where it spans this many bending layers and bends gently.
+// The catenary is a safe start where it spans this many bending layers and bends gently (kSafeBend).
 constexpr double kSafeLayers = 40.0;
-// Width to which slack cables are opened at most, over that of a straight line of the same length and height; opening
-// takes at most so many steps by this factor.
+
+// A light cable gets some weight, so that it knows which side is down: as much as bends it by 1/24 rad, or stretches
+// it by this share.
+constexpr double kStretchByWeight = 1e-4;
+
+// Slack cables are opened at most to this share of the width that a straight line of the same length and height has.
+// The widths that are tried go down from there by a factor, to 1e-5 of it.
 constexpr double kWide = 0.6;
 constexpr double kOpening = 1.3;
 constexpr int kOpenings = 44;
-// A start that is not safe enough is made softer by this factor, so many times.
+
+// A start that is not safe enough is made softer by this factor, so many times: to 1e-9 of its EI.
 constexpr double kSofter = 0.03;
 constexpr int kMostSofter = 6;
+
+// Steps of the continuation: the hardest of the stability map's cables (docs/stability.md) take some hundred.
+constexpr int kMaxPathSteps = 400;
 
 // A point of the path along which a safe problem becomes the one asked for.
 struct PathPoint {
@@ -46,80 +58,80 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double share) {
 }
 
 // A problem whose answer is close to its catenary, at the same length and height difference.
-std::optional<PathPoint> safeStart(const CableProperties& cable, double length, double x, double y, ForcesAtA* forces) {
-  PathPoint start{cable, x};
-  const double light = std::min(cable.bending_stiffness / std::pow(length, 3), 1e-4 * cable.axial_stiffness / length);
-  start.cable.weight = std::max(cable.weight, light);
-  // A slack cable is opened, but no wider than it takes to bend gently.
-  const double longest = length * (1.0 + start.cable.weight * length / cable.axial_stiffness);
+struct SafeStart {
+  PathPoint point;
+  ForcesAtA forces;  // of its catenary
+};
+
+// The catenary at the largest width, at most the safe one, at which it bends gently.
+std::optional<ForcesAtA> openCatenary(double length, double x, double y, PathPoint* start) {
+  const double longest = length * (1.0 + start->cable.weight * length / start->cable.axial_stiffness);
   const double wide = longest > std::abs(y) ? kWide * std::sqrt((longest - y) * (longest + y)) : 0.0;
   std::optional<ForcesAtA> catenary;
   for (int i = kOpenings; i >= 0; --i) {
-    start.x = std::max(x, wide * std::pow(kOpening, -i));
-    catenary = catenaryForces(start.cable, length, start.x, y);
-    if (start.x >= wide || (catenary && sharpestBend(start.cable, length, *catenary) < kSafeBend)) break;
+    start->x = std::max(x, wide * std::pow(kOpening, -i));
+    catenary = catenaryForces(start->cable, length, start->x, y);
+    if (start->x >= wide || (catenary && sharpestBend(start->cable, length, *catenary) < kSafeBend)) break;
   }
+  return catenary;
+}
+
+std::optional<SafeStart> safeStart(const CableProperties& cable, double length, double x, double y) {
+  PathPoint start{cable, x};
+  const double light =
+      std::min(cable.bending_stiffness / std::pow(length, 3), kStretchByWeight * cable.axial_stiffness / length);
+  start.cable.weight = std::max(cable.weight, light);
+  const std::optional<ForcesAtA> catenary = openCatenary(length, x, y, &start);
   if (!catenary || !pullsAllAlong(start.cable, length, *catenary)) return std::nullopt;
-  *forces = *catenary;
-  const double tension = std::hypot(forces->horizontal, forces->vertical);
+  const double tension = std::hypot(catenary->horizontal, catenary->vertical);
   const double by_layers = tension * std::pow(length / kSafeLayers, 2);
-  const double bend = sharpestBend(start.cable, length, *forces);
+  const double bend = sharpestBend(start.cable, length, *catenary);
   const double by_bend = bend > 0.0 ? cable.bending_stiffness * kSafeBend / bend : by_layers;
   start.cable.bending_stiffness = std::min({cable.bending_stiffness, by_layers, by_bend});
-  return start;
+  return SafeStart{start, *catenary};
 }
+
+// WRONG_BRANCH if shooting has converged to another equilibrium than the one asked for.
+SolveOutcome checked(SolveOutcome outcome, const MultipleShooting& shooting) {
+  if (outcome.status.ok() && !onSaggingBranch(shooting)) {
+    outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
+  }
+  return outcome;
+}
+
+// No other start needs to be tried.
+bool isFinal(const SolveOutcome& outcome) { return outcome.status.ok() || outcome.status.code == Code::kTimedOut; }
 
 SolveOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double y,
                                   const SolveLimits& limits, MultipleShooting* shooting) {
-  ForcesAtA forces;
-  std::optional<PathPoint> start = safeStart(cable, length, x, y, &forces);
-  if (!start) return {{Code::kNotConverged, "no catenary to start from"}};
+  std::optional<SafeStart> safe = safeStart(cable, length, x, y);
+  if (!safe) return {{Code::kNotConverged, "no catenary to start from"}};
   SolveOutcome outcome;
-  const PathPoint goal{cable, x};
-  for (int i = 0; i < kMostSofter; ++i, start->cable.bending_stiffness *= kSofter) {
-    shooting->start(start->cable, length, forces.horizontal, forces.vertical, limits.tolerance);
-    outcome.then(newton({Goal::kEndPoint, length, {start->x, y}}, limits, kMaxNewtonIterations, shooting));
-    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) break;
+  PathPoint& start = safe->point;
+  for (int i = 0; i < kMostSofter; ++i, start.cable.bending_stiffness *= kSofter) {
+    shooting->start(start.cable, length, safe->forces.horizontal, safe->forces.vertical, limits.tolerance);
+    outcome.then(newton({Goal::kEndPoint, length, {start.x, y}}, limits, kMaxNewtonIterations, shooting));
+    if (isFinal(checked(outcome, *shooting))) break;
   }
   if (!outcome.status.ok()) return outcome;
 
-  MultipleShooting last = *shooting;
-  double share = 0.0;
-  double step = 0.25;
-  for (int i = 0; i < kMaxPathSteps && share < 1.0; ++i) {
-    const double next = std::min(1.0, share + step);
-    const PathPoint point = between(*start, goal, next);
-    if (start->cable.bending_stiffness != cable.bending_stiffness || start->cable.weight != cable.weight) {
-      shooting->changeProperties(point.cable);
-    }
-    const SolveOutcome local = newton({Goal::kEndPoint, length, {point.x, y}}, limits, 12, shooting);
-    outcome.count(local);
-    if (local.status.code == Code::kTimedOut) {
-      outcome.status = local.status;
-      return outcome;
-    }
-    if (local.status.ok() && onSaggingBranch(*shooting)) {
-      last = *shooting;
-      share = next;
-      step *= 1.7;
-    } else {
-      shooting->restore(last);
-      step *= 0.4;
-      if (step < 1e-5) break;
-    }
-  }
-  if (share < 1.0) {
-    outcome.status = {Code::kNotConverged,
-                      "the sagging equilibrium was lost on the way from the catenary to this bending stiffness"};
-  }
-  return outcome;
+  const PathPoint goal{cable, x};
+  const bool changes = start.cable.bending_stiffness != cable.bending_stiffness || start.cable.weight != cable.weight;
+  return followPath(
+      outcome, kMaxPathSteps, "the sagging equilibrium was lost on the way from the catenary to this bending stiffness",
+      [&](double share) {
+        const PathPoint point = between(start, goal, share);
+        if (changes) shooting->changeProperties(point.cable);
+        return followBendingForces(length, point.x, y, limits, shooting);
+      },
+      shooting);
 }
 
 }  // namespace
 
 bool onSaggingBranch(const MultipleShooting& shooting) {
   const double length = shooting.length();
-  return shooting.stable() && shooting.areaBelowChord() >= -1e-10 * length * length &&
+  return shooting.stable() && shooting.areaBelowChord() >= -kAreaRounding * length * length &&
          std::abs(shooting.turning()) < kLoopAngle;
 }
 
@@ -131,7 +143,7 @@ SolveOutcome solveBendingForces(const CableProperties& cable, double length, dou
   if (catenary && pullsAllAlong(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
     shooting->start(cable, length, catenary->horizontal, catenary->vertical, limits.tolerance);
     outcome.then(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting));
-    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
+    if (isFinal(checked(outcome, *shooting))) return outcome;
   }
   const double compression = std::isfinite(cable.axial_stiffness)
                                  ? cable.axial_stiffness * (1.0 - std::hypot(x, y) / length)
@@ -139,7 +151,7 @@ SolveOutcome solveBendingForces(const CableProperties& cable, double length, dou
   if (compression >= -cable.weight * length && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
     shooting->startStraight(cable, length, x, y, limits.tolerance);
     outcome.then(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting));
-    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
+    if (isFinal(checked(outcome, *shooting))) return outcome;
   }
   outcome.then(continueFromCatenary(cable, length, x, y, limits, shooting));
   return outcome;
@@ -147,11 +159,7 @@ SolveOutcome solveBendingForces(const CableProperties& cable, double length, dou
 
 SolveOutcome followBendingForces(double length, double x, double y, const SolveLimits& limits,
                                  MultipleShooting* shooting) {
-  SolveOutcome outcome = newton({Goal::kEndPoint, length, {x, y}}, limits, 12, shooting);
-  if (outcome.status.ok() && !onSaggingBranch(*shooting)) {
-    outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
-  }
-  return outcome;
+  return checked(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxFollowIterations, shooting), *shooting);
 }
 
 }  // namespace cdpr_kinetostatics

@@ -3,8 +3,8 @@
 // A cable with EI > 0 can have several equilibria between the same ends: the sagging one, an arch in
 // compression, loops. The answer is the stable one that hangs below its chord, the one that the sagging
 // catenary turns into as EI grows from 0; a converged residual alone is no proof of it. It is looked for
-// from the catenary, checked (stability, side of the chord) and, if the check fails, reached by raising EI
-// from a value at which the catenary holds (docs/theory.md section 3).
+// from the catenary, checked (stability, side of the chord, loops) and, if the check fails, reached by raising EI
+// from a value at which the catenary holds (docs/theory.md section 3, "Which equilibrium").
 #pragma once
 
 #include "cable/forces_at_a.h"

@@ -11,8 +11,26 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// Forces are told apart down to this share of the cable's buckling load.
+// The change of the force is measured against its size, but at least against this share of the cable's buckling load:
+// a bar can carry almost no force at all.
 constexpr double kLeastForce = 1e-3;
+
+// The end point is met to rounding at this share of the length, some fifty times the rounding of a double.
+constexpr double kClosureRounding = 1e-14;
+
+// The change of (H, V, L) that the target asks for after the nodes' own step. residual: of the end point [m].
+Eigen::Vector3d changeTowards(const NewtonTarget& target, const MultipleShooting& shooting, double* residual) {
+  Eigen::Vector3d change(0.0, 0.0, target.length - shooting.length());
+  if (target.goal == Goal::kEndPoint) {
+    const Eigen::Matrix<double, 2, 3>& jacobian = shooting.end().jacobian;
+    const Eigen::Vector2d defect = target.value - shooting.end().position - jacobian.col(2) * change.z();
+    change.head<2>() = jacobian.leftCols<2>().inverse() * defect;
+    *residual = defect.norm();
+  } else {
+    change.head<2>() = target.value - Eigen::Vector2d(shooting.horizontalForce(), shooting.verticalForceA());
+  }
+  return change;
+}
 
 }  // namespace
 
@@ -38,22 +56,14 @@ SolveOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int m
     ++outcome.iterations;
     if (!shooting->linearise(adapt)) break;
     outcome.moment_residual = shooting->momentDefect();
-    Eigen::Vector3d change(0.0, 0.0, target.length - shooting->length());
-    if (target.goal == Goal::kEndPoint) {
-      const Eigen::Matrix<double, 2, 3>& jacobian = shooting->end().jacobian;
-      const Eigen::Vector2d defect = target.value - shooting->end().position - jacobian.col(2) * change.z();
-      change.head<2>() = jacobian.leftCols<2>().inverse() * defect;
-      outcome.closure_residual = defect.norm();
-    } else {
-      change.head<2>() = target.value - Eigen::Vector2d(shooting->horizontalForce(), shooting->verticalForceA());
-    }
+    const Eigen::Vector3d change = changeTowards(target, *shooting, &outcome.closure_residual);
     if (!change.allFinite()) break;
     const double tension = std::max(std::hypot(shooting->horizontalForce(), shooting->verticalForceA()),
                                     kLeastForce * shooting->bucklingForce());
     const double angle = shooting->angleChange(change);
     const double size = std::max(angle, change.head<2>().norm() / tension);
     const double damping = std::min(1.0, kMaxAngleStep / angle);
-    const bool at_rounding = outcome.closure_residual <= 1e-14 * target.length && angle <= limits.tolerance;
+    const bool at_rounding = outcome.closure_residual <= kClosureRounding * target.length && angle <= limits.tolerance;
     const bool stalled = hasStoppedShrinking(size, last_size);
     if (!adapt && (size <= limits.tolerance || (stalled && at_rounding))) {
       shooting->step(change, damping);

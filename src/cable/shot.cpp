@@ -7,8 +7,30 @@
 namespace cdpr_kinetostatics {
 namespace {
 
+// A shot is rejected after so many steps: a segment of three layers takes ten to thirty, and one that takes a hundred
+// times as many is on its way to nowhere.
 constexpr int kMaxSteps = 4000;
+
 constexpr int kStages = 7;
+
+// A step that led to a state beyond these bounds, or to no number, is tried again with this share of its length, until
+// it would be shorter than kShortestStep [layers].
+constexpr double kLargestAngle = 100.0;  // [rad]: sixteen turns, while a cable without loops has less than one
+constexpr double kLargestMoment = 1e6;   // in its unit: the moment of a bend a million times sharper than a layer
+constexpr double kRetryShare = 0.2;
+constexpr double kShortestStep = 1e-10;
+
+// Step control: a share of the step at which the error would be the tolerance, by the order of the error; the step
+// grows or shrinks by at most a factor of 5 at a time. These are the values of Hairer, Norsett, Wanner: Solving
+// Ordinary Differential Equations I, section II.4. Errors below the least one ask for the largest growth anyway.
+constexpr double kSafety = 0.9;
+constexpr double kErrorExponent = -0.2;
+constexpr double kMostShrinking = 0.2;
+constexpr double kMostGrowth = 5.0;
+constexpr double kLeastError = 1e-10;
+
+// First step of a segment that was not shot before [layers].
+constexpr double kFirstStep = 0.5;
 
 // Longest step, in bending layers: where the state is exactly straight its error says nothing about that of
 // the sensitivities.
@@ -33,6 +55,7 @@ constexpr double kA[kStages][kStages - 1] = {{},
 constexpr double kError[kStages] = {71.0 / 57600,      0.0,          -71.0 / 16695, 71.0 / 1920,
                                     -17253.0 / 339200, 22.0 / 525.0, -1.0 / 40};
 
+// (16) and (17).
 void derivative(const ShotParameters& p, double t, const Rows& u, Rows* du) {
   const double c = std::cos(u[kAlpha]);
   const double s = std::sin(u[kAlpha]);
@@ -81,7 +104,8 @@ void finish(const Rows& u, Shot* shot) {
 
 using Stages = std::array<Rows, kStages>;
 
-// u + h sum of the first stages, of so many rows. Unrolled: the compiler makes vectors of it.
+// The first kCount rows of u + h times the sum of the stages before kStage. It is unrolled by hand so that the compiler
+// makes vector instructions of it.
 template <int kStage, int kCount>
 void advance(double h, const Rows& u, const Stages& k, Rows* result) {
   for (int r = 0; r < kCount; ++r) {
@@ -113,14 +137,15 @@ void step(const ShotParameters& p, double t, double h, const Rows& u, Stages* st
   derivative(p, t + h, *next, &k[6]);
 }
 
-// Errors of alpha and of the moment that the pair of orders 5 and 4 tells.
-std::array<double, 2> errorOf(double h, const Stages& k) {
-  std::array<double, 2> error{};
+// The larger of the errors of alpha and of the moment, by the difference of the pair of orders 5 and 4.
+double errorOf(double h, const Stages& k) {
+  double alpha = 0.0;
+  double moment = 0.0;
   for (int j = 0; j < kStages; ++j) {
-    error[0] += kError[j] * k[j][kAlpha];
-    error[1] += kError[j] * k[j][kMoment];
+    alpha += kError[j] * k[j][kAlpha];
+    moment += kError[j] * k[j][kMoment];
   }
-  return {std::abs(h * error[0]), std::abs(h * error[1])};
+  return std::max(std::abs(h * alpha), std::abs(h * moment));
 }
 
 constexpr IntegrationWork kFirstDerivative = {0, 1};
@@ -128,18 +153,17 @@ constexpr IntegrationWork kOneStep = {1, kStages - 1};
 
 void begin(Shot* shot) {
   shot->turning.clear();
-  shot->alpha_error = shot->moment_error = 0.0;
+  shot->step_error = 0.0;
   shot->work = kFirstDerivative;
 }
 
 // An accepted step.
-void record(const Rows& u, const std::array<double, 2>& error, Shot* shot) {
+void record(const Rows& u, double error, Shot* shot) {
   shot->turning.emplace_back(u[kDAlpha], u[kDAlpha + 1]);
-  shot->alpha_error = std::max(shot->alpha_error, error[0]);
-  shot->moment_error = std::max(shot->moment_error, error[1]);
+  shot->step_error = std::max(shot->step_error, error);
 }
 
-bool physical(const Rows& u) { return std::abs(u[kAlpha]) < 100.0 && std::abs(u[kMoment]) < 1e6; }
+bool physical(const Rows& u) { return std::abs(u[kAlpha]) < kLargestAngle && std::abs(u[kMoment]) < kLargestMoment; }
 
 }  // namespace
 
@@ -151,13 +175,13 @@ ShotState shotDerivative(const ShotParameters& p, double t, const ShotState& sta
   return {e * state.moment, e * (p.h * s + v * c), e * c, e * s};
 }
 
-bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotState& start,
-                   const ShotTolerance& tolerance, StepGrid* grid, Shot* shot) {
+bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotState& start, double tolerance,
+                   StepGrid* grid, Shot* shot) {
   Rows u = initialRows(start);
   Rows next;
   Stages k;
   derivative(p, t0, u, &k[0]);
-  double h = grid->empty() ? 0.5 : grid->front();
+  double h = grid->empty() ? kFirstStep : grid->front();
   grid->clear();
   begin(shot);
   double t = t0;
@@ -169,20 +193,21 @@ bool shootAdaptive(const ShotParameters& p, double t0, double t1, const ShotStat
     const double dt = last ? left : std::min(h, h > 0.5 * left ? 0.5 * left : h);
     step(p, t, dt, u, &k, &next);
     shot->work += kOneStep;
-    const std::array<double, 2> errors = errorOf(dt, k);
-    const double error = std::max(errors[0] / tolerance.alpha, errors[1] / tolerance.moment);
+    const double step_error = errorOf(dt, k);
+    const double error = step_error / tolerance;
     if (!std::isfinite(error) || !physical(next)) {
-      h = 0.2 * dt;
-      if (h < 1e-10) return false;
+      h = kRetryShare * dt;
+      if (h < kShortestStep) return false;
       continue;
     }
-    const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.2), 0.2, 5.0);
+    const double factor =
+        std::clamp(kSafety * std::pow(std::max(error, kLeastError), kErrorExponent), kMostShrinking, kMostGrowth);
     if (error <= 1.0) {
       u = next;
       t += dt;
       k[0] = k[kStages - 1];
       grid->push_back(dt);
-      record(u, errors, shot);
+      record(u, step_error, shot);
       if (last) {
         finish(u, shot);
         return true;

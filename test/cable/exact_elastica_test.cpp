@@ -12,7 +12,7 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr ShotTolerance kFine{1e-13, 1e-13};
+constexpr double kFine = 1e-13;  // errors of angle [rad] and moment that a step may make
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Bisshopp and Drucker (1945): transverse dead force P at the tip, P L^2/EI = a^2, tip angle phi.

@@ -4,7 +4,7 @@
 
 namespace cdpr_kinetostatics {
 
-CantileverTip solveCantilever(const Cantilever& c, const ShotTolerance& tolerance) {
+CantileverTip solveCantilever(const Cantilever& c, double tolerance) {
   // Forces are measured in EI/L^2, lengths in L.
   const double force = c.beam.bending_stiffness / (c.length * c.length);
   ShotParameters parameters;

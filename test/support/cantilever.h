@@ -21,6 +21,6 @@ struct CantileverTip {
 };
 
 // Newton's method on the moment at the clamp, with the shot's own sensitivities.
-CantileverTip solveCantilever(const Cantilever& cantilever, const ShotTolerance& tolerance);
+CantileverTip solveCantilever(const Cantilever& cantilever, double tolerance);
 
 }  // namespace cdpr_kinetostatics

@@ -39,7 +39,7 @@ SingleShooting shootSingly(const CableProperties& cable, double length, double x
     StepGrid grid;
     Shot shot;
     const double step = 0.1 * tolerance;
-    if (!shootAdaptive(p, 0.0, span, {u[0], 0.0, 0.0, 0.0}, {step, step}, &grid, &shot)) return std::nullopt;
+    if (!shootAdaptive(p, 0.0, span, {u[0], 0.0, 0.0, 0.0}, step, &grid, &shot)) return std::nullopt;
     for (int row = 0; row < 3; ++row) {
       jacobian.row(row) << shot.sensitivity(row + 1, 0), shot.sensitivity(row + 1, 2), shot.sensitivity(row + 1, 3);
       if (row > 0) jacobian.row(row) /= span;

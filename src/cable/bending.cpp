@@ -18,6 +18,16 @@ namespace {
 // cable's.
 constexpr double kAreaRounding = 1e-10;
 
+// A cable is unloaded below the first share of its buckling load; the second is far above the rounding of its chain and
+// far below what stretches it.
+constexpr double kUnloaded = 1e-12;
+constexpr double kRoundingPull = 1e-9;
+
+// A weightless loop whose ends coincide, but for this share of its length, may be turned about them without any force.
+// It hangs down as the lightest loop does: one with this share of a weight that would bend it.
+constexpr double kCoinciding = 1e-8;
+constexpr double kFeather = 1e-6;
+
 // A shape that turns by more than this has a loop in it. The largest turn without one is the teardrop of a
 // weightless elastica whose ends touch, 261 degrees. [rad]
 constexpr double kLoopAngle = 1.65 * M_PI;
@@ -64,11 +74,11 @@ struct SafeStart {
 };
 
 // The catenary at the largest width, at most the safe one, at which it bends gently.
-std::optional<ForcesAtA> openCatenary(double length, double x, double y, PathPoint* start) {
+std::optional<ForcesAtA> openCatenary(double length, double x, double y, const SolveLimits& limits, PathPoint* start) {
   const double longest = length * (1.0 + start->cable.weight * length / start->cable.axial_stiffness);
   const double wide = longest > std::abs(y) ? kWide * std::sqrt((longest - y) * (longest + y)) : 0.0;
   std::optional<ForcesAtA> catenary;
-  for (int i = kOpenings; i >= 0; --i) {
+  for (int i = kOpenings; i >= 0 && !limits.haveEnded(); --i) {
     start->x = std::max(x, wide * std::pow(kOpening, -i));
     catenary = catenaryForces(start->cable, length, start->x, y);
     if (start->x >= wide || (catenary && sharpestBend(start->cable, length, *catenary) < kSafeBend)) break;
@@ -76,12 +86,13 @@ std::optional<ForcesAtA> openCatenary(double length, double x, double y, PathPoi
   return catenary;
 }
 
-std::optional<SafeStart> safeStart(const CableProperties& cable, double length, double x, double y) {
+std::optional<SafeStart> safeStart(const CableProperties& cable, double length, double x, double y,
+                                   const SolveLimits& limits) {
   PathPoint start{cable, x};
   const double light =
       std::min(cable.bending_stiffness / std::pow(length, 3), kStretchByWeight * cable.axial_stiffness / length);
   start.cable.weight = std::max(cable.weight, light);
-  const std::optional<ForcesAtA> catenary = openCatenary(length, x, y, &start);
+  const std::optional<ForcesAtA> catenary = openCatenary(length, x, y, limits, &start);
   if (!catenary || !pullsAllAlong(start.cable, length, *catenary)) return std::nullopt;
   const double tension = std::hypot(catenary->horizontal, catenary->vertical);
   const double by_layers = tension * std::pow(length / kSafeLayers, 2);
@@ -104,7 +115,10 @@ bool isFinal(const SolveOutcome& outcome) { return outcome.status.ok() || outcom
 
 SolveOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double y,
                                   const SolveLimits& limits, MultipleShooting* shooting) {
-  std::optional<SafeStart> safe = safeStart(cable, length, x, y);
+  std::optional<SafeStart> safe = safeStart(cable, length, x, y, limits);
+  if (limits.haveEnded()) {
+    return {{Code::kTimedOut, "the time allowed ran out while looking for a catenary to start from"}};
+  }
   if (!safe) return {{Code::kNotConverged, "no catenary to start from"}};
   SolveOutcome outcome;
   PathPoint& start = safe->point;
@@ -127,6 +141,21 @@ SolveOutcome continueFromCatenary(const CableProperties& cable, double length, d
       shooting);
 }
 
+double bucklingForce(const CableProperties& cable, double length) {
+  return cable.bending_stiffness * std::pow(M_PI / length, 2);
+}
+
+// A weightless cable as long as the distance of its ends lies between them without any force. It has no stiffness
+// across itself, so that Newton's method has nothing to go by; it is evaluated under a pull of rounding size.
+SolveOutcome lieUnloaded(const CableProperties& cable, double length, double x, double y, const SolveLimits& limits,
+                         MultipleShooting* shooting) {
+  const double angle = std::atan2(y, x);
+  const double pull = kRoundingPull * bucklingForce(cable, length);
+  shooting->startAlong(cable, length, {pull * std::cos(angle), -pull * std::sin(angle)}, angle, limits.tolerance);
+  if (shooting->linearise(true, limits.deadline)) return {{Code::kConverged, ""}};
+  return {{Code::kNotConverged, "the unloaded cable could not be evaluated"}};
+}
+
 }  // namespace
 
 bool onSaggingBranch(const MultipleShooting& shooting) {
@@ -138,6 +167,12 @@ bool onSaggingBranch(const MultipleShooting& shooting) {
 SolveOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
                                 const SolveLimits& limits, MultipleShooting* shooting) {
   if (std::isinf(cable.axial_stiffness) && std::hypot(x, y) >= length) return {cannotReach(length, std::hypot(x, y))};
+  const double feather = kFeather * cable.bending_stiffness / std::pow(length, 3);
+  if (cable.weight < feather && std::hypot(x, y) <= kCoinciding * length) {
+    CableProperties light = cable;
+    light.weight = feather;
+    return solveBendingForces(light, length, x, y, limits, shooting);
+  }
   SolveOutcome outcome;
   const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, y);
   if (catenary && pullsAllAlong(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
@@ -148,7 +183,11 @@ SolveOutcome solveBendingForces(const CableProperties& cable, double length, dou
   const double compression = std::isfinite(cable.axial_stiffness)
                                  ? cable.axial_stiffness * (1.0 - std::hypot(x, y) / length)
                                  : std::numeric_limits<double>::infinity();
-  if (compression >= -cable.weight * length && compression < cable.bending_stiffness * std::pow(M_PI / length, 2)) {
+  const bool apart = std::hypot(x, y) > 0.0;  // ends that coincide have no line between them
+  if (apart && cable.weight == 0.0 && std::abs(compression) <= kUnloaded * bucklingForce(cable, length)) {
+    return lieUnloaded(cable, length, x, y, limits, shooting);
+  }
+  if (apart && compression >= -cable.weight * length && compression < bucklingForce(cable, length)) {
     shooting->startStraight(cable, length, x, y, limits.tolerance);
     outcome.then(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting));
     if (isFinal(checked(outcome, *shooting))) return outcome;

@@ -54,7 +54,7 @@ SolveOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int m
       return outcome;
     }
     ++outcome.iterations;
-    if (!shooting->linearise(adapt)) break;
+    if (!shooting->linearise(adapt, limits.deadline)) break;
     outcome.moment_residual = shooting->momentDefect();
     const Eigen::Vector3d change = changeTowards(target, *shooting, &outcome.closure_residual);
     if (!change.allFinite()) break;
@@ -73,6 +73,10 @@ SolveOutcome newton(const NewtonTarget& target, const SolveLimits& limits, int m
     shooting->step(change, damping);
     adapt = choosesStepsNext(size, i);
     last_size = size;
+  }
+  if (limits.haveEnded()) {
+    outcome.status = {Code::kTimedOut, "the time allowed ran out while joining the cable's segments"};
+    return outcome;
   }
   outcome.status = {Code::kNotConverged,
                     shooting->tooManySegments()

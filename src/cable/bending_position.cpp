@@ -6,6 +6,7 @@
 
 #include "cable/bending_newton.h"
 #include "cable/bending_path.h"
+#include "cable/bending_vertical.h"
 #include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
@@ -38,13 +39,21 @@ constexpr int kScanAngles = 90;
 constexpr int kScanBisections = 12;
 constexpr double kScanTolerance = 1e-6;  // relative, of the integration
 
-// Steps of the path on which a loop is closed, and the rounding of x = 0 where its legs touch, as a share of the
-// length.
+// Steps of the path on which a loop is closed.
 constexpr int kMaxLoopSteps = 40;
-constexpr double kTouching = 1e-12;
 
 Eigen::Vector2d missingForce(const ForcesAtA& forces, const MultipleShooting& shooting) {
   return {forces.horizontal - shooting.horizontalForce(), forces.vertical - shooting.verticalForceA()};
+}
+
+// The end lies in front of A, x >= 0, but for rounding [share of L]. Under a push it may lie behind A by no more than
+// forces of five digits are known to: the answer for an end straight below A must not turn over when these are rounded.
+constexpr double kBehindByRounding = 1e-12;
+constexpr double kBehindUnderPush = 1e-5;
+
+bool isInFront(const MultipleShooting& shooting) {
+  const double behind = shooting.horizontalForce() < 0.0 ? kBehindUnderPush : kBehindByRounding;
+  return shooting.end().position.x() >= -behind * shooting.length();
 }
 
 // Moves the end point from a start until the forces are those asked for.
@@ -110,7 +119,7 @@ class AngleScan {
       if (!momentAtB(whereMomentVanishes(last_angle, angle, *last_moment), limits_.tolerance)) continue;
       const SolveOutcome local = followBendingPosition(length_, forces_, limits_, shooting_);
       outcome.count(local);
-      const bool found = local.status.ok() && shooting_->end().position.x() >= 0.0 && onSaggingBranch(*shooting_);
+      const bool found = local.status.ok() && isInFront(*shooting_) && onSaggingBranch(*shooting_);
       if (found || local.status.code == Code::kTimedOut) outcome.status = local.status;
     }
     return outcome;
@@ -119,7 +128,8 @@ class AngleScan {
  private:
   // Empty if the shot was rejected.
   std::optional<double> momentAtB(double angle, double tolerance) const {
-    return shooting_->startFromAngle(cable_, length_, forces_.horizontal, forces_.vertical, angle, tolerance);
+    return shooting_->startFromAngle(cable_, length_, forces_.horizontal, forces_.vertical, angle, tolerance,
+                                     limits_.deadline);
   }
 
   // Bisection between two angles at A, at the first of which the moment at B is this one and at the other of the
@@ -154,7 +164,7 @@ SolveOutcome closeLoop(const CableProperties& cable, double length, const Forces
       [&](double share) {
         const ForcesAtA at{open + share * (forces.horizontal - open), forces.vertical};
         SolveOutcome local = followBendingPosition(length, at, limits, shooting);
-        if (local.status.ok() && !(shooting->end().position.x() >= -kTouching * length && onSaggingBranch(*shooting))) {
+        if (local.status.ok() && !(isInFront(*shooting) && onSaggingBranch(*shooting))) {
           local.status = {Code::kWrongBranch, "the loop turned over"};
         }
         return local;
@@ -185,23 +195,27 @@ SolveOutcome searchEndOfForces(const CableProperties& cable, double length, cons
   return outcome;
 }
 
-}  // namespace
-
-SolveOutcome followBendingPosition(double length, const ForcesAtA& forces, const SolveLimits& limits,
-                                   MultipleShooting* shooting) {
-  return newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, limits, kMaxNewtonIterations, shooting);
+// From the catenary under the same forces, where that is a start.
+SolveOutcome startFromCatenary(const CableProperties& cable, double length, const ForcesAtA& forces,
+                               const SolveLimits& limits, MultipleShooting* shooting) {
+  if (!pullsAllAlong(cable, length, forces) || sharpestBend(cable, length, forces) >= kSharpBend) {
+    return {{Code::kNotConverged, "the catenary under these forces is no start for a cable that bends"}};
+  }
+  shooting->start(cable, length, forces.horizontal, forces.vertical, limits.tolerance);
+  SolveOutcome outcome = followBendingPosition(length, forces, limits, shooting);
+  if (outcome.ok() && !onSaggingBranch(*shooting)) {
+    outcome.status = {Code::kNotConverged, "the catenary under these forces leads to another equilibrium"};
+  }
+  return outcome;
 }
 
-SolveOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
-                                  const SolveLimits& limits, MultipleShooting* shooting) {
-  SolveOutcome outcome;
-  if (pullsAllAlong(cable, length, forces) && sharpestBend(cable, length, forces) < kSharpBend) {
-    shooting->start(cable, length, forces.horizontal, forces.vertical, limits.tolerance);
-    outcome.then(followBendingPosition(length, forces, limits, shooting));
-    if (outcome.status.code == Code::kTimedOut || (outcome.status.ok() && onSaggingBranch(*shooting))) return outcome;
-  }
-  const double force = std::max(std::hypot(forces.horizontal, forces.vertical),
-                                std::hypot(forces.horizontal, forces.vertical - cable.weight * length));
+// All starts, in turn.
+SolveOutcome searchPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
+                            const SolveLimits& limits, MultipleShooting* shooting) {
+  SolveOutcome outcome = startFromCatenary(cable, length, forces, limits, shooting);
+  if (outcome.ok() || outcome.status.code == Code::kTimedOut) return outcome;
+  const double force =
+      std::max(forces.tension(), std::hypot(forces.horizontal, forces.vertical - cable.weight * length));
   if (length * std::sqrt(force / cable.bending_stiffness) < kScanLayers) {
     outcome.then(AngleScan(cable, length, forces, limits, shooting).run());
     if (outcome.status.code != Code::kNotConverged) return outcome;
@@ -211,6 +225,25 @@ SolveOutcome solveBendingPosition(const CableProperties& cable, double length, c
     if (outcome.status.code != Code::kNotConverged) return outcome;
   }
   outcome.then(searchEndOfForces(cable, length, forces, limits, shooting));
+  return outcome;
+}
+
+}  // namespace
+
+SolveOutcome followBendingPosition(double length, const ForcesAtA& forces, const SolveLimits& limits,
+                                   MultipleShooting* shooting) {
+  return newton({Goal::kForces, length, {forces.horizontal, forces.vertical}}, limits, kMaxNewtonIterations, shooting);
+}
+
+SolveOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
+                                  const SolveLimits& limits, MultipleShooting* shooting) {
+  const auto search = [&](const ForcesAtA& under) { return searchPosition(cable, length, under, limits, shooting); };
+  if (!isNextToVertical(cable, length, forces)) return search(forces);
+  SolveOutcome outcome = startFromCatenary(cable, length, forces, limits, shooting);
+  if (outcome.ok() || outcome.status.code == Code::kTimedOut) return outcome;
+  outcome.then(standStraight(cable, length, forces, limits, shooting));
+  if (outcome.ok() || outcome.status.code == Code::kTimedOut) return outcome;
+  outcome.then(lowerHorizontalForce(cable, length, forces, limits, shooting, search));
   return outcome;
 }
 

@@ -1,5 +1,6 @@
 #include "cable/cable_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -47,11 +48,21 @@ Status checkPositive(const Field& field, double value, double limit, const char*
   return refused(field, withUnit(value, unit), "a positive number up to " + withUnit(limit, unit));
 }
 
+Status checkBetween(const Field& field, double value, double least, double largest, const char* unit) {
+  if (value >= least && value <= largest) return kFine;
+  return refused(field, withUnit(value, unit), withUnit(least, unit) + " to " + withUnit(largest, unit));
+}
+
+Status checkZeroOrBetween(const Field& field, double value, double least, double largest, const char* unit) {
+  if (value == 0.0 || (value >= least && value <= largest)) return kFine;
+  return refused(field, withUnit(value, unit), "0, or " + withUnit(least, unit) + " to " + withUnit(largest, unit));
+}
+
 Status checkModel(Model model) {
-  if (isStraight(model) || isCatenary(model) || isBending(model) || model == Model::kAuto) return kFine;
-  return refused("model", text(static_cast<int>(model)),
-                 "auto, straight, straight_elastic, catenary_inextensible, catenary, catenary_corrected, "
-                 "bending_inextensible or bending, which are 1 to 8");
+  if (model == Model::kAuto || std::find(kRungs.begin(), kRungs.end(), model) != kRungs.end()) return kFine;
+  return refused(
+      "model", text(static_cast<int>(model)),
+      text(modelNames(), ", which are ", static_cast<int>(Model::kAuto), " to ", static_cast<int>(kRungs.back())));
 }
 
 Status checkAccuracy(const Field& field, double accuracy) {
@@ -75,20 +86,24 @@ Status checkOptions(const CableSolverOptions& options) {
 }
 
 Status checkAxialStiffness(double axial_stiffness, Model model) {
-  if (isInextensible(model) || axial_stiffness > 0.0) return kFine;
+  const bool infinite = axial_stiffness > 0.0 && std::isinf(axial_stiffness);
+  const bool finite = axial_stiffness >= kLeastAxialStiffness && axial_stiffness <= kLargestAxialStiffness;
+  if (isInextensible(model) || infinite || finite) return kFine;
   return refused("axial_stiffness", withUnit(axial_stiffness, "N"),
-                 text("a positive number, as the model ", modelName(model),
-                      " stretches the cable; an inextensible model needs none"));
+                 text(kLeastAxialStiffness, " N to ", kLargestAxialStiffness, " N, or infinity, as the model ",
+                      modelName(model), " stretches the cable; an inextensible model needs none"));
 }
 
 Status checkCable(const CableProperties& cable, Model model) {
-  const Status status = firstRefusal(checkAxialStiffness(cable.axial_stiffness, model),
-                                     checkNotNegative("weight", cable.weight, kLargestForce, "N/m"));
-  if (!status.ok() || (cable.bending_stiffness >= 0.0 && std::isfinite(cable.bending_stiffness))) return status;
-  return refused("bending_stiffness", withUnit(cable.bending_stiffness, "N m^2"), "0 or a positive finite number");
+  return firstRefusal(checkAxialStiffness(cable.axial_stiffness, model),
+                      checkZeroOrBetween("weight", cable.weight, kLeastWeight, kLargestForce, "N/m"),
+                      checkZeroOrBetween("bending_stiffness", cable.bending_stiffness, kLeastBendingStiffness,
+                                         kLargestBendingStiffness, "N m^2"));
 }
 
-Status checkLength(double length) { return checkPositive("length", length, kLargestLength, "m"); }
+Status checkLength(const Field& field, double length) {
+  return checkBetween(field, length, kShortestLength, kLargestLength, "m");
+}
 
 Status checkEnd(double x, double y) {
   Status status = firstRefusal(checkNotNegative("x", x, kLargestLength, "m"), checkWithin("y", y, kLargestLength, "m"));

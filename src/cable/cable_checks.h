@@ -45,6 +45,8 @@ Status refused(const Field& field, const std::string& is, const std::string& exp
 Status checkWithin(const Field& field, double value, double limit, const char* unit);
 Status checkNotNegative(const Field& field, double value, double limit, const char* unit);
 Status checkPositive(const Field& field, double value, double limit, const char* unit);
+Status checkBetween(const Field& field, double value, double least, double largest, const char* unit);
+Status checkZeroOrBetween(const Field& field, double value, double least, double largest, const char* unit);
 
 Status checkAccuracy(const Field& field, double accuracy);
 Status checkTolerance(const Field& field, double tolerance);
@@ -53,7 +55,7 @@ Status checkProfilePoints(const Field& field, int points, int most = kMostProfil
 Status checkOptions(const CableSolverOptions& options);
 Status checkAxialStiffness(double axial_stiffness, Model model);
 Status checkCable(const CableProperties& cable, Model model);
-Status checkLength(double length);
+Status checkLength(const Field& field, double length);
 Status checkEnd(double x, double y);
 // The ends of a cable whose length is asked for.
 Status checkEndsApart(double x, double y);

@@ -11,13 +11,16 @@ namespace cdpr_kinetostatics {
 namespace {
 
 void estimateError(const CableProperties& cable, CableSolution* solution) {
-  if (solution->status.ok()) solution->estimated_error = rungError(cable, *solution).end.norm();
+  if (!solution->status.ok()) return;
+  const RungError error = rungError(cable, *solution);
+  solution->estimated_error = error.displacement;
+  solution->error_known = error.known;
 }
 
 // True if the rung's solution is known to be as accurate as asked for.
 bool isWithin(const CableProperties& cable, double accuracy, const CableSolution& solution) {
   const RungError error = rungError(cable, solution);
-  return error.known && error.end.norm() <= kAutoShare * accuracy;
+  return error.known && error.displacement <= kAutoShare * accuracy;
 }
 
 // Solves on the coarsest rung that is accurate enough: solve(options) is the problem on options.model. The catenary

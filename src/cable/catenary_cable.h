@@ -4,7 +4,6 @@
 
 #include "cable/closed_form_cable.h"
 #include "cable/forces_at_a.h"
-#include "cable/length_search.h"
 #include "cable/solve_outcome.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/solve_limits.h"
@@ -20,13 +19,6 @@ class CatenaryCable : public ClosedFormCable {
   SolveOutcome startBetween(double length, double x, double y, const SolveLimits& limits);
   SolveOutcome followBetween(double length, double x, double y, const SolveLimits& limits) {
     return startBetween(length, x, y, limits);
-  }
-
-  bool lengthIsChord(double x, double y, double tension_a, double length_hint) const {
-    return isString(properties(), x, y, tension_a, length_hint);
-  }
-  double longestLength(double chord, double tension_a) const {
-    return longestSagging(properties().weight, chord, tension_a);
   }
 
   bool linearise(bool adapt);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "cable/forces_at_a.h"
+#include "cable/length_search.h"
 #include "cable/shot.h"
 #include "cable/solve_outcome.h"
 #include "cable/tautness.h"
@@ -34,6 +35,14 @@ class ClosedFormCable {
   void follow(const Eigen::Vector3d& change) { step(change, 1.0); }
   bool stepsFit() const { return true; }
   bool onBranch() const { return !pushes(forces_); }
+
+  // Those of a cable that sags; a straight line has others.
+  bool lengthIsChord(double x, double y, double tension_a, double length_hint) const {
+    return isString(properties_, x, y, tension_a, length_hint);
+  }
+  double longestLength(double chord, double tension_a) const {
+    return longestSagging(properties_.weight, chord, tension_a);
+  }
   IntegrationWork work() const { return {}; }
 
  protected:

@@ -18,6 +18,18 @@ constexpr int kMaxIterations = 30;
 constexpr double kRoundingStep = 1e-15;
 constexpr double kSmallStep = 1e-7;
 
+// An effect that moves the end by more than the cable is long is none of first order: next to the vertical, where a
+// slack catenary has no width, (24) goes with 1/H^3 beyond all bounds.
+// The same holds for the layer at an end that turns it by more than a radian.
+bool isFirstOrder(const CableProperties& cable, double length, const ForcesAtA& forces) {
+  const auto turnOfLayer = [&](double vertical) {
+    const double tension = std::hypot(forces.horizontal, vertical);
+    return cable.weight * forces.horizontal / (tension * tension) * std::sqrt(cable.bending_stiffness / tension);
+  };
+  const double turn = std::max(turnOfLayer(forces.vertical), turnOfLayer(forces.vertical - cable.weight * length));
+  return turn <= 1.0 && firstOrderBending(cable, forces.horizontal, forces.vertical, length).position.norm() <= length;
+}
+
 Status noFirstOrder() {
   return {Code::kNotConverged,
           "bending is too large here for its first-order effect to describe it: use a bending model"};
@@ -39,7 +51,7 @@ SolveOutcome CorrectedCatenaryCable::startUnder(double length, const ForcesAtA& 
   if (!refusal.ok()) return {refusal};
   start(length, forces);
   linearise(false);
-  return end().position.allFinite() ? evaluated() : SolveOutcome{noFirstOrder()};
+  return isFirstOrder(properties(), length, forces) ? evaluated() : SolveOutcome{noFirstOrder()};
 }
 
 SolveOutcome CorrectedCatenaryCable::startBetween(double length, double x, double y, const SolveLimits& /*limits*/) {
@@ -49,7 +61,8 @@ SolveOutcome CorrectedCatenaryCable::startBetween(double length, double x, doubl
   if (outcome.status.code == Code::kNotConverged) outcome.status = noFirstOrder();
   if (!outcome.ok()) return outcome;
   double last_size = 1.0;
-  for (int i = 0; i < kMaxIterations; ++i) {
+  bool settled = false;
+  for (int i = 0; i < kMaxIterations && !settled; ++i) {
     ++outcome.iterations;
     linearise(false);
     const Eigen::Vector2d defect = Eigen::Vector2d(x, y) - end().position;
@@ -58,13 +71,11 @@ SolveOutcome CorrectedCatenaryCable::startBetween(double length, double x, doubl
     outcome.closure_residual = defect.norm();
     if (!(size < 1.0) || this->forces().horizontal + change.x() < 0.0) break;
     step({change.x(), change.y(), 0.0}, 1.0);
-    if (size <= kRoundingStep || (size < kSmallStep && size >= 0.5 * last_size)) {
-      linearise(false);
-      return outcome;
-    }
+    settled = size <= kRoundingStep || (size < kSmallStep && size >= 0.5 * last_size);
     last_size = size;
   }
-  outcome.status = noFirstOrder();
+  linearise(false);
+  if (!settled || !isFirstOrder(properties(), length, this->forces())) outcome.status = noFirstOrder();
   return outcome;
 }
 
@@ -119,6 +130,10 @@ CableSolution CorrectedCatenaryCable::describe(double x, double y, int profile_p
   solution.max_moment = cable.bending_stiffness * cable.weight * h / (lowest_tension * lowest_tension) /
                         (1.0 + lowest_tension / cable.axial_stiffness);
   solution.max_shear = std::max(std::abs(a.shear), std::abs(b.shear));
+  for (const ProfilePoint& point : solution.profile) {  // thick layers may be sheared most within
+    solution.max_shear = std::max(solution.max_shear, std::abs(point.shear));
+    solution.max_moment = std::max(solution.max_moment, std::abs(point.moment));
+  }
   return solution;
 }
 

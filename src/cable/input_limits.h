@@ -7,8 +7,25 @@ namespace cdpr_kinetostatics {
 // Lengths, coordinates, accuracies [m]. The longest cable robot has spans of a kilometre.
 inline constexpr double kLargestLength = 1e6;
 
+// Lengths of cables [m]: shorter ones are thinner than any fibre is thick. What divides by a length stays a number.
+inline constexpr double kShortestLength = 1e-6;
+
 // Forces, tensions and weights per metre [N, N/m], moments [N m]. The strongest rope carries 1e8 N.
 inline constexpr double kLargestForce = 1e12;
+
+// Axial stiffness [N], if it is not infinite. A thread of rubber of a tenth of a millimetre has 1e-2 N, a bar of steel
+// of eighty metres 1e15 N. Under forces of newtons a softer cable would be stretched by more than its length's
+// thousandfold.
+inline constexpr double kLeastAxialStiffness = 1e-3;
+inline constexpr double kLargestAxialStiffness = 1e18;
+
+// Bending stiffness [N m^2], if it is not zero. Spider silk has 1e-14, a bar of steel of a hundred metres 1e18.
+inline constexpr double kLeastBendingStiffness = 1e-24;
+inline constexpr double kLargestBendingStiffness = 1e20;
+
+// Weight per metre [N/m], if it is not zero: a single chain of carbon atoms weighs 1e-12 on the Earth. The largest is
+// kLargestForce.
+inline constexpr double kLeastWeight = 1e-18;
 
 // Relative tolerances: finer ones drown in the rounding of doubles, coarser ones are no solution.
 inline constexpr double kFinestTolerance = 1e-13;

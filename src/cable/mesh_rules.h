@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "cable/bounded_count.h"
 #include "cable/shot.h"
 
 namespace cdpr_kinetostatics {
@@ -50,7 +51,7 @@ inline double layersNeeded(const ShotParameters& p, double t, double span, doubl
 template <std::size_t kSize, typename Append>
 void cutAtEqualShares(const std::array<double, kSize>& share, int fewest, const Append& append) {
   constexpr std::size_t kPieces = kSize - 1;
-  const int count = static_cast<int>(std::clamp<double>(std::ceil(share[kPieces]), fewest, kMaxSegments + 1));
+  const int count = boundedCount(share[kPieces], fewest, kMaxSegments + 1);
   std::size_t piece = 1;
   for (int k = 1; k < count; ++k) {
     const double target = share[kPieces] * k / count;

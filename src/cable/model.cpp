@@ -5,15 +5,15 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr std::array<const char*, 9> kNames = {"default",
-                                               "auto",
-                                               "straight",
-                                               "straight_elastic",
-                                               "catenary_inextensible",
-                                               "catenary",
-                                               "catenary_corrected",
-                                               "bending_inextensible",
-                                               "bending"};
+constexpr std::array<const char*, kRungs.size() + 2> kNames = {"default",
+                                                               "auto",
+                                                               "straight",
+                                                               "straight_elastic",
+                                                               "catenary_inextensible",
+                                                               "catenary",
+                                                               "catenary_corrected",
+                                                               "bending_inextensible",
+                                                               "bending"};
 
 }  // namespace
 
@@ -27,6 +27,12 @@ std::optional<Model> modelFromName(const std::string& name) {
     if (name == kNames[i]) return static_cast<Model>(i);
   }
   return std::nullopt;
+}
+
+std::string modelNames() {
+  std::string names = modelName(Model::kAuto);
+  for (const Model model : kRungs) names += (model == kRungs.back() ? " or " : ", ") + std::string(modelName(model));
+  return names;
 }
 
 }  // namespace cdpr_kinetostatics

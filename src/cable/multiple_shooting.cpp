@@ -54,20 +54,28 @@ void MultipleShooting::startStraight(const CableProperties& cable, double length
                                      double tolerance) {
   const double chord = std::hypot(x, y);
   const double tension = cable.axial_stiffness * (chord / length - 1.0);
-  begin(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * y / chord},
-        ShootingAccuracy(tolerance, angleScale(cable, length, std::abs(tension), 1.0)), Middle::kShot);
-  for (ShootingSegment& segment : shape_.segments) segment.node << std::atan2(y, x), 0.0;
-  shape_.last_node << std::atan2(y, x), 0.0;
+  startAlong(cable, length, {tension * x / chord, 0.5 * cable.weight * length - tension * y / chord}, std::atan2(y, x),
+             tolerance);
+}
+
+void MultipleShooting::startAlong(const CableProperties& cable, double length, const ForcesAtA& forces, double angle,
+                                  double tolerance) {
+  const double along = std::hypot(forces.horizontal, forces.vertical - 0.5 * cable.weight * length);
+  begin(cable, length, {forces.horizontal, forces.vertical},
+        ShootingAccuracy(tolerance, angleScale(cable, length, along, 1.0)), Middle::kShot);
+  for (ShootingSegment& segment : shape_.segments) segment.node << angle, 0.0;
+  shape_.last_node << angle, 0.0;
 }
 
 std::optional<double> MultipleShooting::startFromAngle(const CableProperties& cable, double length,
                                                        double horizontal_force, double vertical_force_a, double angle,
-                                                       double tolerance) {
+                                                       double tolerance, SolveLimits::Clock::time_point deadline) {
   begin(cable, length, {horizontal_force, vertical_force_a}, ShootingAccuracy(tolerance), Middle::kShot);
   const double span = shape_.cable.span();
   ShotState state{angle, 0.0, 0.0, 0.0};
   for (ShootingSegment& segment : shape_.segments) {
     segment.node << state.alpha, state.moment;
+    if (SolveLimits::isPast(deadline)) return std::nullopt;
     const bool shot = shootAdaptive(shape_.cable.parameters(), segment.begin * span, segment.end * span, state,
                                     accuracy_.ofStep(), &segment.grid, &segment.shot);
     work_ += segment.shot.work;
@@ -110,10 +118,10 @@ void MultipleShooting::replaceMesh(Middle middle) {
 
 bool MultipleShooting::tooManySegments() const { return segments() > kMaxSegments; }
 
-bool MultipleShooting::linearise(bool adapt) {
+bool MultipleShooting::linearise(bool adapt, SolveLimits::Clock::time_point deadline) {
   if (adapt && !meshFits()) replaceMesh(Middle::kQuiet);
   if (tooManySegments()) return false;
-  if (!integrate(adapt)) return false;
+  if (!integrate(adapt, deadline)) return false;
   if (adapt) shape_.grid_length = shape_.cable.length;
   if (!chain_.eliminate(shape_.segments, shape_.last_node, EndMoments{})) return false;
   const ShootingChain::Affine& end = chain_.end();
@@ -123,13 +131,14 @@ bool MultipleShooting::linearise(bool adapt) {
   return true;
 }
 
-bool MultipleShooting::integrate(bool adapt) {
+bool MultipleShooting::integrate(bool adapt, SolveLimits::Clock::time_point deadline) {
   const ShotParameters p = shape_.cable.parameters();
   const double span = shape_.cable.span();
   const double tolerance = accuracy_.ofStep();
   step_error_ = 0.0;
   for (ShootingSegment& segment : shape_.segments) {
     if (segment.quiet) continue;
+    if (SolveLimits::isPast(deadline)) return false;
     const double t0 = segment.begin * span;
     const double t1 = segment.end * span;
     const ShotState start = SegmentedCable::beginOf(segment);

@@ -13,11 +13,13 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "cable/forces_at_a.h"
 #include "cable/segmented_cable.h"
 #include "cable/shooting_chain.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/solve_limits.h"
 
 namespace cdpr_kinetostatics {
 
@@ -33,10 +35,14 @@ class MultipleShooting {
   // whole cable is shot. Needs a finite EA.
   void startStraight(const CableProperties& cable, double length, double x, double y, double tolerance);
 
+  // The same from a straight line in this direction [rad], under any forces.
+  void startAlong(const CableProperties& cable, double length, const ForcesAtA& forces, double angle, double tolerance);
+
   // The same by a single shot from A with the angle given there, for cables of a few bending layers. Returns the
   // moment left at B, in units of the bending layers' own; empty if the shot was rejected.
   std::optional<double> startFromAngle(const CableProperties& cable, double length, double horizontal_force,
-                                       double vertical_force_a, double angle, double tolerance);
+                                       double vertical_force_a, double angle, double tolerance,
+                                       SolveLimits::Clock::time_point deadline);
 
   // The same nodes for a cable of other properties: shape (angles, curvatures) and forces are kept. A cable without a
   // sharp bend is shot whole from now on, from the catenary if it was not before.
@@ -45,7 +51,10 @@ class MultipleShooting {
   // Evaluates all segments and eliminates the nodes. With adapt, step sizes are chosen anew, and segments too
   // where they no longer fit the forces; without, those of the last adaptive pass are taken. False: a shot was
   // rejected, or the cable has more bending layers than segments can be afforded.
-  bool linearise(bool adapt);
+  //
+  // One pass over a cable of many segments or under absurd forces can take a second: it is given up, false, where it
+  // passes the deadline.
+  bool linearise(bool adapt, SolveLimits::Clock::time_point deadline = SolveLimits::Clock::time_point::max());
 
   // The end point after the nodes' own Newton step, and its derivative, to first order, (20).
   const EndPoint& end() const { return end_; }
@@ -67,6 +76,10 @@ class MultipleShooting {
   // True if no small displacement of the cable with both ends held lowers its energy: the second variation
   // under constant end forces has as many negative directions as the end point's compliance, (22).
   bool stable() const;
+
+  // True if no small displacement of the cable with only A held, B under its force, lowers its energy: n(A) = 0 in
+  // (22).
+  bool stableWithFreeEnd() const { return chain_.negativeDirections() == 0; }
 
   // Signed area between chord and cable [m^2], positive where the cable lies below its chord.
   double areaBelowChord() const;
@@ -103,7 +116,7 @@ class MultipleShooting {
   bool meshFits() { return shape_.mesh.fits(shape_.cable, accuracy_); }
   void placeSegments(Middle middle);
   void replaceMesh(Middle middle);
-  bool integrate(bool adapt);
+  bool integrate(bool adapt, SolveLimits::Clock::time_point deadline);
   // What the chain's columns are multiplied by for change = (dH, dV, dL): (1, dh, dv, dl).
   Eigen::Vector4d factors(const Eigen::Vector3d& change) const;
   void move(const Eigen::Vector4d& factors, const Eigen::Vector3d& change);

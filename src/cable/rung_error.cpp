@@ -25,15 +25,28 @@ Eigen::Matrix2d inverseOrZero(const Eigen::Matrix2d& compliance) {
 // An error of the end by `end` at given forces, of a cable of that tension and stiffness.
 RungError errorOf(const Eigen::Vector2d& end, const Eigen::Matrix2d& stiffness, bool known, double tension,
                   double length) {
-  RungError error{end, -stiffness * end, stiffness, known};
+  RungError error{end, -stiffness * end, stiffness, end.norm(), known};
   error.known = known && error.force.norm() <= kLinear * tension;
-  if (!end.allFinite()) return {{length, 0.0}, Eigen::Vector2d::Zero(), stiffness, false};
+  if (!end.allFinite()) return {{length, 0.0}, Eigen::Vector2d::Zero(), stiffness, length, false};
   const double share = end.norm() / length;
   if (share <= 1.0) return error;
   error.end /= share;  // no end moves by more than the cable is long
   error.force /= share;
+  error.displacement = length;
   error.known = false;
   return error;
+}
+
+// How far the end of the cable under the line's own forces lies from the line's; a slack line's hang both ends of the
+// cable side by side.
+double displacementOfLine(const CableProperties& cable, const CableSolution& line) {
+  const double h = line.horizontal_force;
+  const double v = line.vertical_force_a;
+  Eigen::Vector2d moved = catenaryEnd(cable, h, v, line.length).position - Eigen::Vector2d(line.x, line.y);
+  if (!moved.allFinite()) return line.length;
+  // A sharp bend at the bottom of a slack cable is none for the expansion, and moves the end by less than its length.
+  const BendingExpansion bending = bendingExpansion(cable, h, v, line.length);
+  return bending.trusted ? (moved + bending.end).norm() : moved.norm();
 }
 
 // A line that stretches, or is slack, between given ends, against the cable that hangs there.
@@ -43,13 +56,15 @@ RungError lineBetweenEnds(const CableProperties& cable, const CableSolution& lin
     return errorOf(Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), true, 0.0, line.length);
   }
   const std::optional<ForcesAtA> catenary = catenaryForces(cable, line.length, line.x, line.y);
-  if (!catenary) return {{line.length, 0.0}, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), false};
+  if (!catenary) return {{line.length, 0.0}, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), line.length, false};
   const EndPoint end = catenaryEnd(cable, catenary->horizontal, catenary->vertical, line.length);
   const Eigen::Matrix2d compliance = end.jacobian.leftCols<2>();
   const BendingExpansion bending = bendingExpansion(cable, catenary->horizontal, catenary->vertical, line.length);
   const Eigen::Vector2d force(catenary->horizontal - line.horizontal_force, catenary->vertical - line.vertical_force_a);
-  return errorOf(bending.end - compliance * force, inverseOrZero(compliance), bending.trusted,
-                 std::hypot(catenary->horizontal, catenary->vertical), line.length);
+  RungError error = errorOf(bending.end - compliance * force, inverseOrZero(compliance), bending.trusted,
+                            std::hypot(catenary->horizontal, catenary->vertical), line.length);
+  error.displacement = displacementOfLine(cable, line);
+  return error;
 }
 
 }  // namespace

@@ -18,6 +18,9 @@ struct RungError {
   Eigen::Vector2d end = Eigen::Vector2d::Zero();        // (x, y) [m]
   Eigen::Vector2d force = Eigen::Vector2d::Zero();      // (H, V) [N]
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // d(H, V)/d(x, y) of the cable that hangs there [N/m]
+  // The same as `end`, as a distance, and what is reported of a cable; but of a line between given ends, whose `end` is
+  // that of the linear estimate which goes with `force`, it is evaluated under the line's forces [m].
+  double displacement = 0.0;
   // False where the estimate is an order of magnitude at best: few bending layers in the length, sharp slack
   // bends, compression.
   bool known = true;

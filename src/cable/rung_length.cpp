@@ -43,6 +43,10 @@ class CableAtLength {
   const SolveOutcome& outcome() const { return outcome_; }
 
   bool solve(double length) {
+    if (options_.limits.haveEnded()) {
+      outcome_.status = {Code::kTimedOut, "the time allowed ran out while looking for the length"};
+      return false;
+    }
     const bool warm = outcome_.ok();
     outcome_.then(warm ? cable_.followBetween(length, x_, y_, options_.limits)
                        : cable_.startBetween(length, x_, y_, options_.limits));
@@ -97,7 +101,7 @@ class LengthProblem {
     }
     search.shortest = tautSide();
     const LengthFound lengths = searchLength([this](double length) { return along_.sample(length); }, search);
-    if (SolveLimits::Clock::now() > options_.limits.deadline) {
+    if (options_.limits.haveEnded()) {
       return refused({Code::kTimedOut, "the time allowed ran out while looking for the length"});
     }
     if (lengths.length) return found(*lengths.length, lengths.length == search.near_hint ? &at_hint_ : &along_);
@@ -154,7 +158,9 @@ class LengthProblem {
     if (!at->solve(length)) {
       return refused({Code::kNotConverged, "the cable could not be solved at the length found"});
     }
-    CableSolution solution = at->cable().describe(x_, y_, options_.profile_points);
+    CableSolution solution = verifiedCable(at->cable(), at->outcome(), options_.limits,
+                                           at->cable().describe(x_, y_, options_.profile_points));
+    if (!solution.status.ok()) return refused(solution.status);
     const double axial_stiffness = at->cable().properties().axial_stiffness;
     const double rounding = std::isfinite(axial_stiffness) ? kLengthRounding * axial_stiffness : 0.0;
     const double accepted = std::max(options_.limits.tolerance, kTensionFound) * tension_;
@@ -196,8 +202,7 @@ CableSolution lengthOnRung(const CableProperties& cable, double x, double y, dou
   const Status check =
       firstRefusal(checkCable(cable, options.model), checkEnd(x, y), checkEndsApart(x, y),
                    checkPositive("tension_a", tension_a, kLargestForce, "N"),
-                   length_hint <= 0.0 ? Status{Code::kConverged, ""}
-                                      : checkPositive("length_hint", length_hint, kLargestLength, "m"));
+                   length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength("length_hint", length_hint));
   if (!check.ok()) return refusedCable(options.model, {check});
   return LengthProblem(cable, x, y, tension_a, length_hint, options).solve();
 }

@@ -1,8 +1,10 @@
 #include "cable/rung_problems.h"
 
 #include <cmath>
+#include <utility>
 
 #include "cable/cable_checks.h"
+#include "cable/cable_gate.h"
 #include "cable/sagging_cable.h"
 
 namespace cdpr_kinetostatics {
@@ -20,9 +22,19 @@ CableSolution refusedCable(Model model, const SolveOutcome& outcome, const Integ
   return solution;
 }
 
+CableSolution verifiedCable(const SaggingCable& cable, const SolveOutcome& outcome, const SolveLimits& limits,
+                            CableSolution solution) {
+  solution.status = verdictOf(cable, solution, limits.tolerance);
+  solution.iterations = outcome.iterations;
+  if (solution.status.ok()) return solution;
+  return refusedCable(solution.model,
+                      {solution.status, outcome.iterations, solution.closure_residual, solution.moment_residual},
+                      cable.work());
+}
+
 CableSolution positionOnRung(const CableProperties& properties, double length, double h, double v,
                              const RungOptions& options) {
-  const Status check = firstRefusal(checkCable(properties, options.model), checkLength(length),
+  const Status check = firstRefusal(checkCable(properties, options.model), checkLength("length", length),
                                     checkForce("horizontal_force", h), checkForce("vertical_force_a", v));
   if (!check.ok()) return refusedCable(options.model, {check});
   SaggingCable cable(properties, options.model, options.limits.tolerance);
@@ -31,20 +43,18 @@ CableSolution positionOnRung(const CableProperties& properties, double length, d
   const Eigen::Vector2d end = cable.end().position;
   CableSolution solution = cable.describe(end.x(), end.y(), options.profile_points);
   solution.closure_residual = 0.0;  // no end was asked for
-  solution.iterations = outcome.iterations;
-  return solution;
+  return verifiedCable(cable, outcome, options.limits, std::move(solution));
 }
 
 CableSolution forcesOnRung(const CableProperties& properties, double length, double x, double y,
                            const RungOptions& options) {
-  const Status check = firstRefusal(checkCable(properties, options.model), checkLength(length), checkEnd(x, y));
+  const Status check =
+      firstRefusal(checkCable(properties, options.model), checkLength("length", length), checkEnd(x, y));
   if (!check.ok()) return refusedCable(options.model, {check});
   SaggingCable cable(properties, options.model, options.limits.tolerance);
   const SolveOutcome outcome = cable.startBetween(length, x, y, options.limits);
   if (!outcome.ok()) return refusedCable(options.model, outcome, cable.work());
-  CableSolution solution = cable.describe(x, y, options.profile_points);
-  solution.iterations = outcome.iterations;
-  return solution;
+  return verifiedCable(cable, outcome, options.limits, cable.describe(x, y, options.profile_points));
 }
 
 }  // namespace cdpr_kinetostatics

@@ -2,6 +2,7 @@
 // top of SaggingCable: none of them asks which model it is.
 #pragma once
 
+#include "cable/sagging_cable.h"
 #include "cable/shot.h"
 #include "cable/solve_outcome.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
@@ -23,6 +24,11 @@ CableSolution positionOnRung(const CableProperties& cable, double length, double
 CableSolution forcesOnRung(const CableProperties& cable, double length, double x, double y, const RungOptions& options);
 CableSolution lengthOnRung(const CableProperties& cable, double x, double y, double tension_a, double length_hint,
                            const RungOptions& options);  // rung_length.cpp
+
+// The solution, which describes the cable that a search has found, if it passes the gate (cable_gate.h); otherwise its
+// refusal.
+CableSolution verifiedCable(const SaggingCable& cable, const SolveOutcome& outcome, const SolveLimits& limits,
+                            CableSolution solution);
 
 // What is said of a cable that was not solved: why, and what was done before.
 CableSolution refusedCable(Model model, const SolveOutcome& outcome, const IntegrationWork& work = {});

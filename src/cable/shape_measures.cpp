@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cable/bounded_count.h"
 #include "cable/catenary.h"
 
 namespace cdpr_kinetostatics {
@@ -12,7 +13,8 @@ namespace {
 // A quiet segment is walked along in pieces in which the force turns by at most this angle [rad], and grows by at most
 // this share; in at least kFewestPieces. The cubics between the pieces' ends then find sag and moment to 1e-5.
 constexpr double kRisePerPiece = 0.2;
-constexpr double kFewestPieces = 4.0;
+constexpr int kFewestPieces = 4;
+constexpr int kMostPieces = 8000;  // the force grows by no more than 1e308 squared
 
 // Below this turn [rad] one cubic is enough for the area between a quiet segment and its chord, whose sign alone
 // counts.
@@ -21,6 +23,17 @@ constexpr double kRiseOfOneArc = 0.05;
 // Newton's method for the point of a given slope: so many steps at most, or until they are this share of the length.
 constexpr int kSlopeSteps = 4;
 constexpr double kSlopeStepShare = 1e-9;
+
+// Ends coincide from this share of the length on: rounding of a sum over segments.
+constexpr double kCoinciding = 1e-13;
+
+// An extreme is located by cubics again so many times, in the part of the interval where it lies, or until the slope
+// there, over that part, is below this share of the value.
+constexpr int kRefinements = 3;
+constexpr double kFlat = 1e-10;
+
+// The multiple of a turn that takes the angle at A, where a search may have wound it up, into (-pi, pi] [rad].
+double wholeTurns(double angle_a) { return 2.0 * M_PI * std::ceil((angle_a - M_PI) / (2.0 * M_PI)); }
 
 struct Sample {
   double value = 0.0;
@@ -38,6 +51,32 @@ std::array<double, 2> extremesOfCubic(const Sample& a, const Sample& b, double h
   // Roots of c1 + 2 c2 u + 3 c3 u^2, without cancellation.
   const double root = -(c2 + std::copysign(std::sqrt(discriminant), c2));
   return {root / (3.0 * c3), c1 / root};
+}
+
+struct Located {
+  double t = 0.0;
+  Sample sample;
+};
+
+// The largest size that a quantity reaches next to a place between a and b where their cubic is extreme; at(t) is the
+// quantity itself.
+template <typename At>
+double largestNear(Located a, double place, Located b, const At& at) {
+  double largest = 0.0;
+  for (int i = 0; i < kRefinements; ++i) {
+    const Located here{place, at(place)};
+    largest = std::max(largest, std::abs(here.sample.value));
+    const bool beyond = (here.sample.slope > 0.0) == (a.sample.slope > 0.0);
+    (beyond ? a : b) = here;
+    const double width = b.t - a.t;
+    const bool encloses = (a.sample.slope > 0.0) != (b.sample.slope > 0.0);
+    if (!encloses || std::abs(here.sample.slope) * width <= kFlat * std::abs(here.sample.value)) break;
+    const std::array<double, 2> shares = extremesOfCubic(a.sample, b.sample, width);
+    const double share = shares[0] > 0.0 && shares[0] < 1.0 ? shares[0] : shares[1];
+    if (!(share > 0.0 && share < 1.0)) break;
+    place = a.t + share * width;
+  }
+  return largest;
 }
 
 // The quantities whose extremes are wanted, with their derivatives with respect to t: (2), (3), the moment, and the
@@ -66,7 +105,7 @@ void forEachPiece(const SegmentedCable& shape, const ShootingSegment& segment, S
   const double begin = segment.begin * span;
   const double end = segment.end * span;
   const double rise = riseOfForce(p, begin, end);
-  const int count = static_cast<int>(std::ceil(std::max(rise / kRisePerPiece, kFewestPieces)));
+  const int count = boundedCount(rise / kRisePerPiece, kFewestPieces, kMostPieces);
   double t = begin;
   for (int i = 1; i <= count; ++i) {
     const double next = atShareOfRise(p, begin, end, static_cast<double>(i) / count);
@@ -86,12 +125,14 @@ class ShapeWalk {
         p_(shape.cable.parameters()),
         span_(shape.cable.span()),
         profile_points_(profile_points),
-        profile_(profile) {
+        profile_(profile),
+        turns_(wholeTurns(shape.segments.front().node.x())) {
     Eigen::Vector2d end = Eigen::Vector2d::Zero();
     for (const ShootingSegment& segment : shape.segments) {
       end += Eigen::Vector2d(segment.shot.end.x, segment.shot.end.y);
     }
-    chord_angle_ = std::atan2(end.y(), end.x());
+    // Ends that coincide have a chord without a direction: the one that their neighbours along x have.
+    chord_angle_ = end.norm() > kCoinciding * span_ ? std::atan2(end.y(), end.x()) : 0.0;
     profile_->clear();
   }
 
@@ -106,6 +147,7 @@ class ShapeWalk {
   }
 
   const ShotState& end() const { return state_; }
+  double turns() const { return turns_; }
   double stretch() const { return stretch_; }
   double sag() const { return sag_; }
   double maxMoment() const { return max_moment_; }
@@ -128,6 +170,7 @@ class ShapeWalk {
   const double span_;
   const int profile_points_;
   std::vector<ProfilePoint>* const profile_;
+  const double turns_;  // that the angles stated are less than the nodes' [rad]
   double chord_angle_ = 0.0;
   ShotState state_;
   double stretch_ = 0.0;  // times 1/eps: the integral of the tension
@@ -141,8 +184,12 @@ class ShapeWalk {
 
 void ShapeWalk::addPoint(double t, const ShotState& at) {
   const Local here = local(t, at);
+  // Steps are searched for their extremes by cubics; a point that was asked for is no higher than what is stated.
+  sag_ = std::max(sag_, std::abs(here.offset.value));
+  max_moment_ = std::max(max_moment_, std::abs(here.moment.value));
+  max_shear_ = std::max(max_shear_, std::abs(here.shear.value));
   const ShotCable& unit = shape_.cable;
-  profile_->push_back({t * unit.unit_length, at.x * unit.unit_length, at.y * unit.unit_length, at.alpha,
+  profile_->push_back({t * unit.unit_length, at.x * unit.unit_length, at.y * unit.unit_length, at.alpha - turns_,
                        at.moment * unit.unit_moment, here.tension.value * unit.unit_force,
                        -here.shear.value * unit.unit_force});
 }
@@ -152,10 +199,10 @@ template <typename Inside>
 void ShapeWalk::addInterval(double t, const Local& from, double dt, const Local& to, const Inside& inside) {
   const auto raise = [&](Sample Local::*quantity, double* largest) {
     *largest = std::max({*largest, std::abs((from.*quantity).value), std::abs((to.*quantity).value)});
+    const auto at = [&](double where) { return local(where, inside(where)).*quantity; };
     for (const double share : extremesOfCubic(from.*quantity, to.*quantity, dt)) {
       if (!(share > 0.0 && share < 1.0)) continue;
-      const double at = t + share * dt;
-      *largest = std::max(*largest, std::abs((local(at, inside(at)).*quantity).value));
+      *largest = std::max(*largest, largestNear({t, from.*quantity}, t + share * dt, {t + dt, to.*quantity}, at));
     }
   };
   raise(&Local::offset, &sag_);
@@ -279,8 +326,8 @@ IntegrationWork measureShape(const SegmentedCable& shape, int profile_points, Ca
   solution->x = walk.end().x * cable.unit_length;
   solution->y = walk.end().y * cable.unit_length;
   solution->strained_length = cable.length + cable.parameters().eps * walk.stretch() * cable.unit_length;
-  solution->angle_a = shape.segments.front().node.x();
-  solution->angle_b = shape.last_node.x();
+  solution->angle_a = shape.segments.front().node.x() - walk.turns();
+  solution->angle_b = shape.last_node.x() - walk.turns();
   solution->sag = walk.sag() * cable.unit_length;
   solution->max_moment = walk.maxMoment() * cable.unit_moment;
   solution->max_shear = walk.maxShear() * cable.unit_force;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cable/bend_mesh.h"
+#include "cable/bounded_count.h"
 #include "cable/catenary.h"
 #include "cable/mesh_rules.h"
 #include "cable/slow_manifold.h"
@@ -29,7 +30,7 @@ struct EndShots {
 EndShots shotsAtEnd(const ShotParameters& p, double end, double inwards, double span, double error) {
   EndShots shots;
   const double layers = layersNeeded(p, end, span, error);
-  shots.count = static_cast<int>(std::ceil(layers / kLayersPerSegment));
+  shots.count = boundedCount(layers / kLayersPerSegment, 0, EndShots::kMost);
   const double share = inwards * layers / shots.count;
   shots.t[0] = end;
   for (int i = 0; i < shots.count; ++i) {

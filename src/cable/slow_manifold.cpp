@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cable/bounded_count.h"
 #include "cable/catenary.h"
 #include "cable/slow_series.h"
 
@@ -28,6 +29,9 @@ constexpr Quadrature kAnyTurn = {0.8,
                                   0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363},
                                  {0.1012285362903763, 0.2223810344533745, 0.3137066458778873, 0.3626837833783620,
                                   0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763}};
+
+// More than a whole turn takes.
+constexpr int kMostPanels = 16;
 
 // The force at t in polar coordinates.
 struct Force {
@@ -66,11 +70,19 @@ Sum evaluate(const SlowPolynomial& p, double y, double z, int z_degree) {
   return sum;
 }
 
+// Powers of z from this one on are below rounding; none is where the stretch is all there is.
+int degreeInStretch(double z) {
+  constexpr double kRoundingLog = 40.0;  // exp(-40) is 4e-18
+  constexpr int kEveryPower = SlowPolynomial::kZ;
+  if (!(z > 0.0)) return 0;
+  return z < 1.0 ? boundedCount(kRoundingLog / -std::log(z), 0, kEveryPower) : kEveryPower;
+}
+
 // The sum over the orders from first on, as a function of T and theta.
 Polar sumSeries(const std::array<SlowPolynomial, kSlowOrders + 1>& terms, int first, int order, double sigma,
                 const Force& f, double z) {
   const double y = f.s * f.s;
-  const int z_degree = z > 0.0 ? static_cast<int>(std::ceil(40.0 / -std::log(z))) : 0;
+  const int z_degree = degreeInStretch(z);
   Polar result;
   double power = first == 0 ? 1.0 : sigma;
   for (int k = first; k <= order; ++k) {
@@ -231,7 +243,7 @@ SlowStretch slowStretch(const ShotParameters& p, double t0, double t1, int order
   const Turn turn(p, t0, t1);
   const double angle = std::abs(turn.angle());
   const Quadrature& rule = angle <= kSmallTurn.largest_turn ? kSmallTurn : kAnyTurn;
-  const int panels = std::max(1, static_cast<int>(std::ceil(angle / rule.largest_turn)));
+  const int panels = boundedCount(angle / rule.largest_turn, 1, kMostPanels);
   for (int i = 0; i < rule.nodes * panels; ++i) {
     const int node = i % rule.nodes;
     const int panel = i / rule.nodes;

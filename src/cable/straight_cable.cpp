@@ -100,7 +100,7 @@ CableSolution StraightCable::describe(double x, double y, int profile_points) co
     solution.strained_length = length() * (1.0 + tension / cable.axial_stiffness);
     const EndPoint end = straightEnd(cable, forces().horizontal, forces().vertical, length());
     solution.end_jacobian = end.jacobian;
-    solution.closure_residual = std::abs(std::hypot(x, y) - solution.strained_length);
+    solution.closure_residual = (end.position - Eigen::Vector2d(x, y)).norm();
     if (std::isfinite(cable.axial_stiffness)) solution.force_jacobian = forceJacobian(end);
   } else {
     solution.force_jacobian(1, 2) = 0.5 * cable.weight;

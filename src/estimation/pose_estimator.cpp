@@ -22,7 +22,7 @@ Status checkMeasurements(const RobotDescription& robot, const CableMeasurements&
     const std::string& cable = robot.cables[i].name;
     const double length = measurements.lengths[i].value_or(1.0);
     const double tension = measurements.tensions[i].value_or(1.0);
-    status = firstRefusal(checkPositive({"lengths", i, cable}, length, kLargestLength, "m"),
+    status = firstRefusal(checkLength({"lengths", i, cable}, length),
                           checkWithin({"tensions", i, cable}, tension, kLargestForce, "N"));
   }
   return status;

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "cable/auto_policy.h"
-#include "cable/rung_error.h"
 #include "robot/linear_robot.h"
 #include "robot/platform_statics.h"
 
@@ -24,7 +23,7 @@ PlatformError platformError(const RobotDescription& robot, const Pose& pose, con
     linear.add(plane, of_cable.stiffness, h, forceOnPlatform(plane, h, v, properties.weight * cables[i].length));
     unbalanced += wrenchByForces(plane) * of_cable.force;
     error.known = error.known && of_cable.known;
-    error.cables.push_back(of_cable.end.norm());
+    error.cables.push_back(of_cable);
   }
   if (!linear.factorise()) {
     error.known = false;

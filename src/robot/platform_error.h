@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cable/rung_error.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "cdpr_kinetostatics/robot/robot_solution.h"
@@ -16,10 +17,10 @@
 namespace cdpr_kinetostatics {
 
 struct PlatformError {
-  double translation = 0.0;    // [m]
-  double rotation = 0.0;       // [rad]
-  bool known = true;           // false where a cable's own estimate is not to be trusted
-  std::vector<double> cables;  // of each cable's end [m]
+  double translation = 0.0;  // [m]
+  double rotation = 0.0;     // [rad]
+  bool known = true;         // false where a cable's own estimate is not to be trusted
+  std::vector<RungError> cables;
 };
 
 // Of solved cables, in the robot's order.

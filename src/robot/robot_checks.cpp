@@ -55,7 +55,7 @@ Status checkCount(const Field& field, std::size_t count, const RobotDescription&
 Status checkLengths(const RobotDescription& robot, const std::vector<double>& lengths) {
   Status status = checkCount("lengths", lengths.size(), robot);
   for (std::size_t i = 0; status.ok() && i < lengths.size(); ++i) {
-    status = checkPositive({"lengths", i, robot.cables[i].name}, lengths[i], kLargestLength, "m");
+    status = checkLength({"lengths", i, robot.cables[i].name}, lengths[i]);
   }
   return status;
 }

@@ -78,7 +78,10 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
   report.estimated_error = error.translation;
   report.estimated_rotation_error = error.rotation;
   report.error_known = error.known;
-  for (std::size_t i = 0; i < cables.size(); ++i) solution->cables[i].cable.estimated_error = error.cables[i];
+  for (std::size_t i = 0; i < cables.size(); ++i) {
+    solution->cables[i].cable.estimated_error = error.cables[i].displacement;
+    solution->cables[i].cable.error_known = error.cables[i].known;
+  }
   report.force_residual = total.head<3>().norm();
   report.moment_residual = robot.type == PlatformType::kPointMass ? 0.0 : total.tail<3>().norm();
 }

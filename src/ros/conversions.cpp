@@ -24,6 +24,7 @@ CableState inOwnPlane(const CableSolution& solution) {
   state.max_moment = solution.max_moment;
   state.max_shear = solution.max_shear;
   state.estimated_error = solution.estimated_error;
+  state.error_known = solution.error_known;
   return state;
 }
 

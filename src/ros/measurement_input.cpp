@@ -90,7 +90,7 @@ void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableM
     }
     const auto i = static_cast<std::size_t>(found - robot_.cables.begin());
     const double length = message.position[k];
-    const Status length_check = checkPositive({"position", k, found->name}, length, kLargestLength, "m");
+    const Status length_check = checkLength({"position", k, found->name}, length);
     if (length_check.ok()) {
       cables->lengths[i] = length;
     } else if (!std::isnan(length)) {

@@ -59,9 +59,7 @@ Model readModel(ParameterReader& reader, Model fallback) {
     model = modelFromName(static_cast<const std::string&>(value));
   }
   if (!model || *model == Model::kDefault) {
-    reader.refuse("model",
-                  "one of auto, straight, straight_elastic, catenary_inextensible, catenary, catenary_corrected, "
-                  "bending_inextensible, bending");
+    reader.refuse("model", modelNames());
   }
   return *model;
 }

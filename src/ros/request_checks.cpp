@@ -79,7 +79,7 @@ std::vector<double> orderedLengths(const std::vector<double>& lengths, const std
   std::vector<double> ordered(lengths.size());
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     // The core would name the place in the robot's order, not in the message.
-    require(checkPositive({"lengths", i, names[i]}, lengths[i], kLargestLength, "m"));
+    require(checkLength({"lengths", i, names[i]}, lengths[i]));
     ordered[cables[i]] = lengths[i];
   }
   return ordered;

@@ -8,10 +8,6 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-constexpr Model kRungs[] = {Model::kStraight, Model::kStraightElastic,   Model::kCatenaryInextensible,
-                            Model::kCatenary, Model::kCatenaryCorrected, Model::kBendingInextensible,
-                            Model::kBending};
-
 // An error that could not be found out in one trial is not known for the row.
 void raiseOrForget(const std::optional<double>& value, bool first, std::optional<double>* largest) {
   if (first || !value) {

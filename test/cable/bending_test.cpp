@@ -184,5 +184,34 @@ TEST(Branch, Problem1ReturnsTheForcesAskedForInCompression) {
   }
 }
 
+// Neighbours of cables without any stiffness against a turn: they are solved like these.
+TEST(Bending, UnloadedCablesAreSolvedLikeTheirNeighbours) {
+  const CableProperties weightless{2e5, 0.3, 0.0};
+  for (const double length : {54.0, 54.0 * (1.0 - 1e-12), 54.0 * (1.0 + 1e-12)}) {
+    const CableSolution s = findForces(weightless, length, 54.0, 0.0, {});
+    ASSERT_TRUE(s.status.ok()) << length - 54.0 << s.status.message;
+    EXPECT_NEAR(s.horizontal_force, 2e5 * (54.0 / length - 1.0), 1e-9);
+    EXPECT_LT(s.sag, 1e-9);
+  }
+}
+
+// The teardrop: a weightless elastica whose ends touch turns by 261.4 degrees.
+TEST(Bending, WeightlessLoopsWithEndsThatCoincide) {
+  for (const double x : {0.0, 1e-10, 1e-9, 1e-7}) {
+    const CableSolution s = findForces({2e5, 0.3, 0.0}, 5.0, x, 0.0, {});
+    ASSERT_TRUE(s.status.ok()) << x << s.status.message;
+    EXPECT_NEAR((s.angle_b - s.angle_a) * 180.0 / M_PI, 261.4, 0.1) << x;
+    EXPECT_NEAR(s.horizontal_force, -0.258589, 1e-6) << x;
+    EXPECT_NEAR(s.sag, 1.95797, 1e-4) << x;
+  }
+}
+
+// 3 mm of rope with both ends in one place asked for 20 GB once.
+TEST(Bending, AThickLoopWithEndsThatCoincideIsAnsweredOrRefused) {
+  const CableSolution s = findForces(steelRope(), 0.003, 0.0, 0.0, {});
+  EXPECT_TRUE(s.status.ok() || s.status.code == Code::kNotConverged) << s.status.message;
+  EXPECT_FALSE(!s.status.ok() && s.status.message.empty());
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -27,6 +27,9 @@ TEST(Field, IsNamedAsItsUserKnowsIt) {
 TEST(CableChecks, SayFieldValueAndExpectation) {
   expectRefused(checkPositive("length", -2.5, 1e6, "m"),
                 "length is -2.5 m: expected a positive number up to 1000000 m");
+  expectRefused(checkLength("length", 1e-30), "length is 1e-30 m: expected 1e-06 m to 1000000 m");
+  expectRefused(checkZeroOrBetween("weight", 1e-30, 0.5, 2.0, "N/m"),
+                "weight is 1e-30 N/m: expected 0, or 0.5 N/m to 2 N/m");
   expectRefused(checkNotNegative("tension", -1.0, 50.0, "N"), "tension is -1 N: expected 0 to 50 N");
   expectRefused(checkWithin("share", 3.0, 2.0, ""), "share is 3: expected a finite number of magnitude up to 2");
   expectRefused(checkTolerance("tolerance", 0.2), "tolerance is 0.2: expected 1e-13 to 0.1");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <ctime>
 #include <ostream>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
@@ -47,6 +48,37 @@ TEST_P(NarrowLoop, IsAnsweredOrGivenUpInTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Worst, NarrowLoop, ::testing::ValuesIn(kNarrowLoops));
+
+// Processor time of this thread [s]: what others do meanwhile does not count.
+double processorTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// A rope of SCAMPI's that would have to be stretched to five times its length: every part of the search comes to its
+// limits.
+TEST(Deadline, EndsTheSearchForALength) {
+  CableSolverOptions options;
+  options.model = Model::kAuto;
+  options.tolerance = 7.58e-12;
+  options.timeout = std::chrono::duration<double>(8.3e-3);
+  const double start = processorTime();
+  const CableSolution s = findLength({153310.0, 0.07, 0.1034955}, 121.374, -232.325, 0.041675, 53.12, options);
+  EXPECT_LT(processorTime() - start, 8.3e-3 + 20e-3);  // instrumented builds take some times the promised 5 ms
+  EXPECT_TRUE(s.status.code == Code::kTimedOut || s.status.ok()) << s.status.message;
+}
+
+// Openings of a narrow loop take many catenaries, none of which is a start.
+TEST(Deadline, EndsTheSearchForACatenaryToStartFrom) {
+  CableSolverOptions options;
+  options.timeout = std::chrono::duration<double>(1e-3);
+  const double start = processorTime();
+  const CableSolution s =
+      findForces({441928652576.9, 1.29e-6, 10.0}, 95.99501459912247, 0.0, -95.99501459912247, options);
+  EXPECT_LT(processorTime() - start, 1e-3 + 20e-3);
+  EXPECT_EQ(s.status.code, Code::kTimedOut) << s.status.message;
+}
 
 }  // namespace
 }  // namespace cdpr_kinetostatics

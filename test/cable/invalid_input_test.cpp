@@ -78,6 +78,34 @@ TEST(InvalidInput, PropertiesOfTheCable) {
   }
 }
 
+// Beyond what a cable can be: sums of such numbers leave the range of a double.
+TEST(InvalidInput, ValuesThatNoCableHas) {
+  for (const int problem : {1, 2, 3}) {
+    for (const double bad : {1e-160, 1e-4, 1e19, 1e300}) {
+      Request spoiled;
+      spoiled.cable.axial_stiffness = bad;
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "0.001 N to 1e+18 N");
+    }
+    for (const double bad : {1e-300, 1e-25, 1e21, 1e300}) {
+      Request spoiled;
+      spoiled.cable.bending_stiffness = bad;
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "bending_stiffness is");
+    }
+    for (const double bad : {1e-300, 1e-19, 1e13}) {
+      Request spoiled;
+      spoiled.cable.weight = bad;
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "weight is");
+    }
+  }
+  for (const int problem : {1, 2}) {
+    for (const double bad : {1e-120, 1e-30, 1e-7}) {
+      Request spoiled;
+      spoiled.length = bad;
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "length is");
+    }
+  }
+}
+
 TEST(InvalidInput, LengthsAndForces) {
   for (const Model model : kModels) {
     Request request;

@@ -62,5 +62,21 @@ TEST(EstimatedError, IsReportedByEveryRung) {
   }
 }
 
+// CableState.msg defines it: how far B would be displaced under the same forces, slack lines included.
+TEST(EstimatedError, OfALineIsThatUnderItsOwnForces) {
+  for (const double length : {8.9, 8.94, 8.944}) {  // chord 8.9443
+    const CableSolution line = findForces(steelRope(), length, 8.0, -4.0, options(Model::kStraightElastic));
+    ASSERT_TRUE(line.status.ok()) << line.status.message;
+    const CableSolution truth = findPosition(steelRope(), length, line.horizontal_force, line.vertical_force_a,
+                                             options(Model::kBending, 1e-11));
+    ASSERT_TRUE(truth.status.ok()) << truth.status.message;
+    const double error = std::hypot(truth.x - line.x, truth.y - line.y);
+    EXPECT_NEAR(line.estimated_error, error, 0.05 * error) << length;
+  }
+  const CableSolution slack = findForces(steelRope(), 9.5, 8.0, -4.0, options(Model::kStraightElastic));
+  EXPECT_NEAR(slack.estimated_error, std::hypot(8.0, 4.0), 1e-9);  // both ends of what hangs there side by side
+  EXPECT_FALSE(slack.error_known);
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

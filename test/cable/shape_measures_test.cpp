@@ -159,5 +159,40 @@ TEST_P(Measures, TheIntegratorsWorkIsCountedAndGrowsWithAccuracy) {
 
 INSTANTIATE_TEST_SUITE_P(EveryRung, Measures, ::testing::ValuesIn(kModels), nameOf);
 
+// Angles begin in (-pi, pi] and go on without jumps; what is stated as largest is.
+TEST(Measure, AnglesAndLargestValuesHoldForTheProfile) {
+  struct Case {
+    CableProperties cable;
+    double length, x, y;
+  };
+  const Case cases[] = {{{1e8, 5e4, 10.0}, 4.0003361, 0.05, -4.0},
+                        {steelRope(), 3.0, 0.0, -2.0},
+                        {steelRope(), 8.5, 7.0, -4.0},
+                        {paperBar(), 6.5, 5.0, -2.5},
+                        {paperBar(), 12.0, 1.0, 3.0},
+                        {steelRope(), 3.0, 0.0, 0.0}};
+  for (const Case& c : cases) {
+    CableSolverOptions options;
+    options.profile_points = 201;
+    const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options);
+    ASSERT_TRUE(s.status.ok()) << s.status.message;
+    EXPECT_GT(s.angle_a, -M_PI);
+    EXPECT_LE(s.angle_a, M_PI);
+    EXPECT_NEAR(s.profile.front().alpha, s.angle_a, 1e-9);
+    EXPECT_NEAR(s.profile.back().alpha, s.angle_b, 1e-9);
+    options.profile_points = 0;
+    const CableSolution bare = findForces(c.cable, c.length, c.x, c.y, options);
+    for (std::size_t k = 0; k < s.profile.size(); ++k) {
+      if (k > 0) {
+        EXPECT_LT(std::abs(s.profile[k].alpha - s.profile[k - 1].alpha), 1.0) << k;
+      }
+      EXPECT_LE(std::abs(s.profile[k].moment), s.max_moment);
+      EXPECT_LE(std::abs(s.profile[k].shear), s.max_shear);
+      // Without a profile the extremes of the steps' cubics say the same.
+      EXPECT_LE(std::abs(s.profile[k].moment), bare.max_moment * (1.0 + 1e-8));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

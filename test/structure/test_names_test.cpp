@@ -13,13 +13,6 @@ namespace fs = std::filesystem;
 
 // Source, and where its logic is tested instead, or why there is nothing to test.
 const std::map<std::string, std::string> kExceptions = {
-    {"cable/bend_mesh.cpp",
-     "shooting meshes are seen in the shapes: shape_measures_test, collocation_test, shot_test"},
-    {"cable/bending_newton.cpp", "what it converges to is what bending.cpp returns: bending_test, sagging_cable_test"},
-    {"cable/bending_position.cpp", "problem 1 of a bending cable: rung_problems_test, sagging_cable_test"},
-    {"cable/multiple_shooting.cpp", "shot_test, collocation_test, bending_test"},
-    {"cable/shooting_mesh.cpp", "shot_test, extremes_test"},
-    {"cable/slow_series.cpp", "slow_manifold_test"},
     {"robot/basin_search.cpp", "far_seeds_test"},
     {"robot/forward.cpp", "round_trip_test, far_seeds_test, refusal_test"},
     {"robot/inverse_cable.cpp", "tension_program_test"},

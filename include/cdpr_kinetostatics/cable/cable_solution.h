@@ -51,6 +51,7 @@ struct CableSolution {
   int integrator_steps = 0;      // of the bending rungs, tried: those that the step control refused included
   int evaluations = 0;           // of their right-hand side
   double estimated_error = 0.0;  // how far the finest rung's end lies from this one's at the same forces [m]
+  bool error_known = false;      // the estimate is more than an order of magnitude
   double least_tension = 0.0;    // problem 3 that is INFEASIBLE: the least T_A that can hold the cable [N]
 
   std::vector<ProfilePoint> profile;  // uniform in s, both ends included; only if asked for

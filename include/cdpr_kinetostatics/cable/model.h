@@ -1,6 +1,7 @@
 // The ladder of cable models, from a straight line to bending with stretch (docs/theory.md section 2).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,6 +20,11 @@ enum class Model : std::uint8_t {
   kBendingInextensible = 7,
   kBending = 8,
 };
+
+// The ladder's rungs, from coarsest to finest: every model that a cable can be solved with.
+inline constexpr std::array kRungs = {Model::kStraight, Model::kStraightElastic,   Model::kCatenaryInextensible,
+                                      Model::kCatenary, Model::kCatenaryCorrected, Model::kBendingInextensible,
+                                      Model::kBending};
 
 inline bool isStraight(Model model) { return model == Model::kStraight || model == Model::kStraightElastic; }
 inline bool isCatenary(Model model) {
@@ -40,5 +46,8 @@ inline Model startingRung(Model model) {
 // "straight", ..., "bending": the values of the node's ~model parameter.
 const char* modelName(Model model);
 std::optional<Model> modelFromName(const std::string& name);
+
+// What may be asked for: "auto, straight, ... or bending", for sentences.
+std::string modelNames();
 
 }  // namespace cdpr_kinetostatics

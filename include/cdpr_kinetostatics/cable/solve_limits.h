@@ -14,6 +14,9 @@ struct SolveLimits {
 
   // A solve that is still running at this moment stops with TIMED_OUT.
   Clock::time_point deadline = Clock::time_point::max();
+
+  static bool isPast(Clock::time_point moment) { return moment != Clock::time_point::max() && Clock::now() > moment; }
+  bool haveEnded() const { return isPast(deadline); }
 };
 
 // The moment this long from now [s]. A timeout that the clock cannot hold, an infinite one for instance, never ends.

@@ -23,9 +23,13 @@ inline constexpr double kLargestAxialStiffness = 1e18;
 inline constexpr double kLeastBendingStiffness = 1e-24;
 inline constexpr double kLargestBendingStiffness = 1e20;
 
-// Weight per metre [N/m], if it is not zero: a single chain of carbon atoms weighs 1e-12 on the Earth. The largest is
-// kLargestForce.
+// Weight per metre [N/m] of a cable, if it is not zero: a single chain of carbon atoms weighs 1e-12 on the Earth. Weight
+// of a platform [N]: a grain of pollen weighs 1e-10. The largest is kLargestForce.
 inline constexpr double kLeastWeight = 1e-18;
+
+// Acceleration of gravity [m/s^2]: that of a neutron star is 1e12, of an asteroid of some metres 1e-7.
+inline constexpr double kLeastGravity = 1e-9;
+inline constexpr double kLargestGravity = 1e6;
 
 // Relative tolerances: finer ones drown in the rounding of doubles, coarser ones are no solution.
 inline constexpr double kFinestTolerance = 1e-13;

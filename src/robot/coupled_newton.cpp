@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cable/iteration_schedule.h"
+#include "robot/platform_stability.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -55,7 +56,7 @@ bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState*
 }
 
 bool CoupledNewton::solve() {
-  if (!linear_.factorise()) return false;
+  if (!linear_.factorise() && !linear_.factoriseWithOpenMotions()) return false;
   pose_step_ = linear_.displacement(unbalanced_);
   pose_step_.tail<3>() *= 1.0 / linear_.lever();
   return pose_step_.allFinite();
@@ -181,9 +182,8 @@ SearchOutcome solveCoupled(const Wrench& external, const CoupledOptions& options
     if (!newton->linearise(external, adapt ? Steps::kNew : Steps::kKept, state)) break;
     outcome.residuals = newton->residuals();
     if (!newton->solve()) {
-      outcome.status = {
-          Code::kNotConverged,
-          "the robot's stiffness is singular here: the cables leave the platform a free motion, or cannot give at all"};
+      outcome.status = {Code::kNotConverged,
+                        "the robot's stiffness cannot be evaluated here: a cable cannot give at all"};
       return outcome;
     }
     const double size = newton->size(*state);
@@ -200,8 +200,9 @@ SearchOutcome solveCoupled(const Wrench& external, const CoupledOptions& options
 }
 
 bool isOnBranch(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness, const CoupledState& state) {
-  return isStable(robot, stiffness) && std::all_of(state.cables.begin(), state.cables.end(),
-                                                   [](const SaggingCable& cable) { return cable.onBranch(); });
+  return platformStability(robot, stiffness).kind != Stability::kUnstable &&
+         std::all_of(state.cables.begin(), state.cables.end(),
+                     [](const SaggingCable& cable) { return cable.onBranch(); });
 }
 
 }  // namespace cdpr_kinetostatics

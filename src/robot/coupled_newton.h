@@ -39,8 +39,8 @@ class CoupledNewton {
   // False: a cable cannot be evaluated here.
   bool linearise(const Wrench& external, Steps steps, CoupledState* state);
 
-  // The step that closes every cable and balances the platform, to first order. False where the stiffness is
-  // singular.
+  // The step that closes every cable and balances the platform, to first order, without the motions that nothing
+  // resists. False where the stiffness is not finite.
   bool solve();
 
   // Moves a state that has converged since it was linearised to where other lengths [m], in the robot's order, and

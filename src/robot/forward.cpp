@@ -6,7 +6,7 @@
 
 namespace cdpr_kinetostatics {
 Status checkForward(const RobotDescription& robot, const ForwardRequest& request, const RobotSolverOptions& options) {
-  return firstRefusal(checkRobotOptions(options), checkLengths(robot, request.lengths),
+  return firstRefusal(checkRobot(robot), checkRobotOptions(options), checkLengths(robot, request.lengths),
                       checkWrench(robot, request.external_wrench),
                       request.seed ? checkPose("seed", *request.seed) : checkPose("home", robot.home));
 }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "cable/catenary.h"
 #include "cable/iteration_schedule.h"
 #include "robot/basin_search.h"
 #include "robot/platform_error.h"
+#include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
+#include "robot/robot_gate.h"
 #include "robot/solution_assembly.h"
 #include "robot/stiffening.h"
 #include "robot/straight_forward.h"
@@ -32,6 +36,16 @@ constexpr double kSafety = 100.0;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr int kSolvesBetweenMeasurements = 10;
 
+// A search that ended so has found nothing, or an equilibrium that is not kept: another start may lead to the answer.
+bool mayBeElsewhere(Code code) {
+  return code == Code::kNotConverged || code == Code::kWrongBranch || code == Code::kUnstable;
+}
+
+// One sentence after the other.
+std::string joined(const std::string& first, const std::string& second) {
+  return first + (first.empty() || second.empty() ? "" : "; ") + second;
+}
+
 }  // namespace
 
 ForwardSolve::ForwardSolve(const RobotDescription& robot, const RobotSolverOptions& options)
@@ -42,6 +56,7 @@ const Status& ForwardSolve::solve(const ForwardRequest& request, Clock::time_poi
   deadline_ = deadline;
   outcome_ = {};
   answer_.reset();
+  unstable_.reset();
   contraction_ = kUnknown;
   if (isStraight(options_.model)) {
     solveOnLines(options_.model);
@@ -49,7 +64,9 @@ const Status& ForwardSolve::solve(const ForwardRequest& request, Clock::time_poi
   }
   const bool choose = options_.model == Model::kAuto;
   if (choose && solveOnLines(Model::kStraightElastic) && isWithin(robot_, *answer_, options_.accuracy)) {
-    outcome_.status.message = answer_->report.status.message = describeChoice(*answer_);
+    std::string& message = answer_->report.status.message;
+    message = joined(describeChoice(*answer_), message);
+    outcome_.status.message = message;
     return outcome_.status;
   }
   answer_.reset();
@@ -73,6 +90,7 @@ bool ForwardSolve::solveOnLines(Model model) {
   rungs_.assign(robot_.cables.size(), model);
   lines_stiffness_ = answer_->stiffness;
   if (!options_.compute_stiffness) answer_->stiffness.setZero();
+  if (report.status.code == Code::kUnstable) unstable_ = answer_;
   return outcome_.ok();
 }
 
@@ -84,7 +102,7 @@ bool ForwardSolve::solveOnCables() {
   if (!reachCatenaries(&start)) return false;
   if (options_.model == Model::kAuto) {
     chooseRungs(start);
-    if (outcome_.status.code == Code::kNotConverged || outcome_.status.code == Code::kWrongBranch) {
+    if (mayBeElsewhere(outcome_.status.code)) {
       rungs_.assign(rungs_.size(), Model::kBending);
       refine(start);
     }
@@ -148,10 +166,15 @@ bool ForwardSolve::refine(const RobotForces& start, int max_iterations, double o
                                                "seed nearer to the platform's pose"};
     return false;
   }
-  if (!isStable(robot_, newton_.stiffness())) {
-    outcome_.status = {
-        Code::kWrongBranch,
-        "the platform's pose found is an unstable equilibrium: start from a seed nearer to the expected pose"};
+  return judge();
+}
+
+// Of the platform's equilibrium that Newton's method has found: its stability, and the freedoms that are open.
+bool ForwardSolve::judge() {
+  outcome_.status = describeStability(robot_, platformStability(robot_, newton_.stiffness()));
+  if (outcome_.status.code == Code::kUnstable) {
+    outcome_.status.message += "; no stable pose was found from this seed";
+    unstable_ = assembled();
   }
   return outcome_.ok();
 }
@@ -173,10 +196,7 @@ void ForwardSolve::startCables(const RobotForces& start, double own_shape) {
 }
 
 // With bending cables, Newton's method from the catenaries has found nothing, or an equilibrium that is not kept.
-bool ForwardSolve::isLost() const {
-  const Code code = outcome_.status.code;
-  return isBending(rungs_.front()) && (code == Code::kNotConverged || code == Code::kWrongBranch);
-}
+bool ForwardSolve::isLost() const { return isBending(rungs_.front()) && mayBeElsewhere(outcome_.status.code); }
 
 void ForwardSolve::stiffenFrom(const Pose& pose) {
   const SearchOutcome before = outcome_;
@@ -184,7 +204,7 @@ void ForwardSolve::stiffenFrom(const Pose& pose) {
   took(stiffen(robot_, request_.external_wrench, request_.lengths, rungs_, {options_.tolerance, deadline_}, &newton_,
                &state_));
   // That nothing was found on this way says less than that the other one led to a wrong equilibrium.
-  if (before.status.code == Code::kWrongBranch && outcome_.status.code == Code::kNotConverged) goBackTo(before);
+  if (before.status.code != Code::kNotConverged && outcome_.status.code == Code::kNotConverged) goBackTo(before);
 }
 
 // The trust region on the blocks of bending cables: they push where catenaries cannot. Slow, but it finds poses that
@@ -213,20 +233,32 @@ void ForwardSolve::goBackTo(const SearchOutcome& stage) {
 RobotSolution ForwardSolve::assembled() const {
   RobotSolution solution;
   solution.pose = state_.pose;
-  solution.report.status.code = Code::kConverged;
+  solution.report.status = outcome_.status;
   solution.report.iterations = outcome_.iterations;
   assemble(robot_, request_.external_wrench,
            describeCables(robot_, state_.pose, state_.cables, options_.profile_points), &solution);
-  if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
+  if (options_.model == Model::kAuto) {
+    solution.report.status.message = joined(describeChoice(solution), solution.report.status.message);
+  }
   if (options_.compute_stiffness) solution.stiffness = newton_.stiffness();
   return solution;
 }
 
 RobotSolution ForwardSolve::solution() const {
-  if (!outcome_.ok()) return failedRobot(options_.model, outcome_);
-  RobotSolution solution = answer_ ? *answer_ : assembled();
+  if (!outcome_.ok() && outcome_.status.code != Code::kUnstable) return failedRobot(options_.model, outcome_);
+  RobotSolution solution = !outcome_.ok() ? *unstable_ : answer_ ? *answer_ : assembled();
   solution.report.iterations = outcome_.iterations;
-  return solution;
+  return onLines() ? solution : verified(std::move(solution));
+}
+
+// Straight lines are verified where they are solved.
+RobotSolution ForwardSolve::verified(RobotSolution solution) const {
+  const Status verdict = verdictOf(robot_, solution, request_.external_wrench, options_.tolerance);
+  if (verdict.ok()) return solution;
+  const RobotReport& report = solution.report;
+  return failedRobot(
+      options_.model,
+      {verdict, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}});
 }
 
 double ForwardSolve::tension(std::size_t i) const {
@@ -245,7 +277,7 @@ bool ForwardSolve::follow(const ForwardRequest& request) {
     return false;
   }
   request_ = request;
-  outcome_.status.message.clear();
+  outcome_.status = describeStability(robot_, platformStability(robot_, newton_.stiffness()));
   answer_.reset();
   return true;
 }

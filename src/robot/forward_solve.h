@@ -32,7 +32,8 @@ class ForwardSolve {
   // other models by AUTO, past a slack straight cable. Only solve() can go on from there.
   bool follow(const ForwardRequest& request);
 
-  // The last answer in full, or what a search that failed had reached.
+  // The last answer in full, verified; where only an unstable pose was found, that; or what a search that failed had
+  // reached.
   RobotSolution solution() const;
 
   // Of the last answer.
@@ -53,6 +54,7 @@ class ForwardSolve {
   void chooseRungs(const RobotForces& start);
   bool refine(const RobotForces& start, int max_iterations = CoupledOptions().max_iterations,
               double own_shape = kHangingExcess);
+  bool judge();
   bool isLost() const;
   void stiffenFrom(const Pose& pose);
   void searchBending(RobotForces start);
@@ -61,6 +63,7 @@ class ForwardSolve {
 
   void startCables(const RobotForces& start, double own_shape);
   RobotSolution assembled() const;
+  RobotSolution verified(RobotSolution solution) const;
 
   bool onLines() const { return state_.cables.empty(); }
   bool takeUpLines();
@@ -75,8 +78,9 @@ class ForwardSolve {
   // Straight cables are solved by springs and have no cables in the state until a path goes on from them.
   CoupledState state_;
   CoupledNewton newton_;
-  std::vector<Model> rungs_;             // of the cables
-  std::optional<RobotSolution> answer_;  // the last answer, where a stage has needed it in full
+  std::vector<Model> rungs_;               // of the cables
+  std::optional<RobotSolution> answer_;    // the last answer, where a stage has needed it in full
+  std::optional<RobotSolution> unstable_;  // the last pose that a stage of solve() found to be unstable
   Eigen::Matrix<double, 6, 6> lines_stiffness_ = Eigen::Matrix<double, 6, 6>::Zero();
 
   RungChoice choice_;    // AUTO

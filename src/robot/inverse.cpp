@@ -7,7 +7,7 @@
 namespace cdpr_kinetostatics {
 
 Status checkInverse(const RobotDescription& robot, const InverseRequest& request, const RobotSolverOptions& options) {
-  return firstRefusal(checkRobotOptions(options), checkPose("pose", request.pose),
+  return firstRefusal(checkRobot(robot), checkRobotOptions(options), checkPose("pose", request.pose),
                       checkWrench(robot, request.external_wrench),
                       checkPreferredTensions(robot, request.preferred_tensions));
 }

@@ -1,12 +1,16 @@
 #include "robot/linear_robot.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SVD>
 
 namespace cdpr_kinetostatics {
 namespace {
 
 // A reciprocal condition number below this leaves no digit of a displacement right.
 constexpr double kSingular = 1e-15;
+
+// Singular values of less than this share of the largest are the rounding of a motion that nothing resists.
+constexpr double kOpen = 1e-12;
 
 }  // namespace
 
@@ -22,18 +26,31 @@ void LinearRobot::add(const CablePlane& plane, const Eigen::Matrix2d& stiffness,
   addCableStiffness(plane, stiffness, force, forceDensity(plane, h, stiffness), &stiffness_);
 }
 
+LinearRobot::Stiffness LinearRobot::scaled() const {
+  if (rigid_) return scale_.asDiagonal() * stiffness_ * scale_.asDiagonal();
+  // A point mass does not turn. Rotations as stiff as its translations take no part and hide no singularity.
+  Stiffness translations = Stiffness::Zero();
+  translations.topLeftCorner<3, 3>() = stiffness_.topLeftCorner<3, 3>();
+  translations.diagonal().tail<3>().setConstant(stiffness_.topLeftCorner<3, 3>().norm());
+  return translations;
+}
+
 bool LinearRobot::factorise() {
+  has_open_motions_ = false;
   if (!stiffness_.allFinite()) return false;
-  if (rigid_) {
-    lu_.compute(scale_.asDiagonal() * stiffness_ * scale_.asDiagonal());
-  } else {
-    // A point mass does not turn. Rotations as stiff as its translations take no part and hide no singularity.
-    Stiffness translations = Stiffness::Zero();
-    translations.topLeftCorner<3, 3>() = stiffness_.topLeftCorner<3, 3>();
-    translations.diagonal().tail<3>().setConstant(stiffness_.topLeftCorner<3, 3>().norm());
-    lu_.compute(translations);
-  }
+  lu_.compute(scaled());
   return lu_.rcond() > kSingular;
+}
+
+bool LinearRobot::factoriseWithOpenMotions() {
+  if (!stiffness_.allFinite()) return false;
+  const Eigen::JacobiSVD<Stiffness> svd(scaled(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Wrench& values = svd.singularValues();
+  if (!(values(0) > 0.0)) return false;
+  const Wrench inverse = (values.array() > kOpen * values(0)).select(values.cwiseInverse(), 0.0);
+  pseudo_inverse_ = svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose();
+  has_open_motions_ = true;
+  return true;
 }
 
 bool isStable(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness) {

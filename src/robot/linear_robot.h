@@ -30,11 +30,17 @@ class LinearRobot {
   // False where the stiffness is singular or not finite.
   bool factorise();
 
-  // Where unbalanced wrenches, the columns, take the platform: translation, and rotation times lever() [m]. Needs
-  // factorise().
+  // After factorise() has failed: leaves alone the motions that nothing resists, so that displacement() is the shortest
+  // one. A wrench along such a motion stays unbalanced. False where the stiffness is not finite, or zero.
+  bool factoriseWithOpenMotions();
+
+  // Where unbalanced wrenches, the columns, take the platform: translation, and rotation times lever() [m]. Needs one
+  // of the two above.
   template <int Columns>
   Eigen::Matrix<double, 6, Columns> displacement(const Eigen::Matrix<double, 6, Columns>& wrenches) const {
-    Eigen::Matrix<double, 6, Columns> moved = lu_.solve(-(scale_.asDiagonal() * wrenches));
+    const Eigen::Matrix<double, 6, Columns> resisted = -(scale_.asDiagonal() * wrenches);
+    Eigen::Matrix<double, 6, Columns> moved =
+        has_open_motions_ ? Eigen::Matrix<double, 6, Columns>(pseudo_inverse_ * resisted) : lu_.solve(resisted);
     if (!rigid_) moved.template bottomRows<3>().setZero();
     return moved;
   }
@@ -46,9 +52,13 @@ class LinearRobot {
   const RobotDescription& robot_;
   const bool rigid_;
   const double lever_;
+  Stiffness scaled() const;
+
   Wrench scale_ = Wrench::Ones();  // moments count as forces at the lever
   Stiffness stiffness_ = Stiffness::Zero();
   Eigen::PartialPivLU<Stiffness> lu_;
+  bool has_open_motions_ = false;
+  Stiffness pseudo_inverse_ = Stiffness::Zero();  // if it has
 };
 
 // True if no motion of the platform is unstable: the symmetric part of the stiffness is negative definite.

@@ -9,12 +9,42 @@ namespace {
 
 const Status kFine{Code::kConverged, ""};
 
+Status checkPoint(const char* field, const Eigen::Vector3d& point) {
+  for (const double coordinate : point) {
+    const Status status = checkWithin(field, coordinate, kLargestLength, "m");
+    if (!status.ok()) return status;
+  }
+  return kFine;
+}
+
+Status checkDescription(const CableDescription& cable) {
+  return firstRefusal(checkPoint("anchor", cable.anchor), checkPoint("attachment", cable.attachment),
+                      checkCable(cable.properties, Model::kBending),
+                      checkNotNegative("tension_min", cable.tension_min, kLargestForce, "N"),
+                      checkNotNegative("tension_max", cable.tension_max, kLargestForce, "N"));
+}
+
 }  // namespace
 
 std::string namesOfCables(const RobotDescription& robot) {
   std::string names;
   for (const CableDescription& cable : robot.cables) names += (names.empty() ? "" : ", ") + cable.name;
   return names;
+}
+
+Status checkRobot(const RobotDescription& robot) {
+  Status status = firstRefusal(
+      checkBetween("mass", robot.mass, kLeastWeight / kLargestGravity, kLargestForce, "kg"),
+      checkBetween("gravity", robot.gravity, kLeastGravity, kLargestGravity, "m/s^2"),
+      checkBetween("the platform's weight, mass times gravity,", robot.weight(), kLeastWeight, kLargestForce, "N"),
+      checkPoint("com", robot.com));
+  if (status.ok() && robot.cables.empty()) status = refused("cables", "empty", "one cable at least");
+  for (const CableDescription& cable : robot.cables) {
+    if (!status.ok()) break;
+    status = checkDescription(cable);
+    if (!status.ok()) status.message = "cable '" + cable.name + "': " + status.message;
+  }
+  return status;
 }
 
 Status checkRobotOptions(const RobotSolverOptions& options) {

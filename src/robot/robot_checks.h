@@ -11,6 +11,10 @@
 
 namespace cdpr_kinetostatics {
 
+// What is described must be a robot: numbers within the limits of cable/input_limits.h, at least one cable. Readers of
+// files refuse earlier and say more; robots that are built in C++ have nothing but this.
+Status checkRobot(const RobotDescription& robot);
+
 Status checkRobotOptions(const RobotSolverOptions& options);
 
 // The quaternion's norm may differ from 1 by so much.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "robot/cable_keys.h"
+#include "robot/robot_checks.h"
 #include "robot/yaml_map.h"
 
 namespace cdpr_kinetostatics {
@@ -150,6 +151,8 @@ LoadedRobot parse(const YAML::Node& node, const std::string& default_name) {
                                   ": expected a name that no other cable has");
     }
   }
+  const Status status = checkRobot(robot);
+  if (!status.ok()) throw std::invalid_argument(status.message);
   warnings.addSimulationOnly(root.present(kSimulationRoot));
   warnings.addUnread(root);
   loaded.warnings = warnings.all();

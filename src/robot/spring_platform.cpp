@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -31,6 +32,11 @@ constexpr double kLeastDamping = 1e-9;
 // Largest step of the platform: a share of the robot's span, and an angle.
 constexpr double kMaxShareOfSpan = 0.2;
 constexpr double kMaxRotation = 0.5;  // [rad]
+
+// A saddle is left by this share of the span, or by this turn of the lever, or by a tenth of it, and so on, if the
+// energy falls there.
+constexpr double kEscape = 0.1;
+constexpr double kShortestEscape = 1e-5;
 
 // Makes moments comparable with forces.
 Wrench forceScale(const RobotDescription& robot) {
@@ -128,7 +134,6 @@ SearchOutcome SpringPlatform::newton(const std::vector<Spring>& springs, double 
                                      Pose* pose) const {
   const int n = robot_.freedoms();
   const Wrench scale = forceScale(robot_);
-  const Eigen::Vector3d torque = external_ != nullptr ? Eigen::Vector3d(external_->tail<3>()) : Eigen::Vector3d::Zero();
   SearchOutcome outcome;
   const auto ended = [&](const Local& at, const Status& status) {
     outcome.status = status;
@@ -148,26 +153,52 @@ SearchOutcome SpringPlatform::newton(const std::vector<Spring>& springs, double 
     }
     const Pose moved = displaced(*pose, move.step.head<3>(), move.step.tail<3>());
     const Local there = at(moved, springs);
-    const double gain = here.energy - there.energy + torque.dot(move.step.tail<3>());
+    const double gained = gain(here, there, move.step.tail<3>());
     const bool tiny = move.translation < 0.01 * tolerance && move.rotation < 0.01 * tolerance;
     // Below the energy's rounding the wrench decides, and where it no longer falls the pose is found.
-    const double rounding = kEnergyRounding * (std::abs(here.energy) + robot_.weight() * robot_.span());
     const double promised = here.wrench.dot(move.step);
-    const bool at_rounding = tiny || promised < rounding;
+    const bool at_rounding = tiny || promised < rounding(here);
     const bool calmer =
         (scale.asDiagonal() * there.wrench).head(n).norm() < (scale.asDiagonal() * here.wrench).head(n).norm();
-    if (at_rounding ? calmer : gain >= kLeastGain * promised) {
+    if (at_rounding ? calmer : gained >= kLeastGain * promised) {
       *pose = moved;
       here = there;
       damping *= damping < kLeastDamping ? 0.0 : 0.1;
       if (tiny && damping == 0.0) return ended(here, {Code::kConverged, ""});
     } else if (at_rounding) {
-      return ended(here, {Code::kConverged, ""});
+      if (!leaveSaddle(springs, &here, pose)) return ended(here, {Code::kConverged, ""});
     } else {
       damping = std::max(10.0 * damping, kLeastDamping);
     }
   }
   return ended(here, {Code::kNotConverged, "no stable pose was found with straight cables of these lengths"});
+}
+
+double SpringPlatform::gain(const Local& here, const Local& there, const Eigen::Vector3d& turn) const {
+  const double work = external_ != nullptr ? external_->tail<3>().dot(turn) : 0.0;
+  return here.energy - there.energy + work;
+}
+
+double SpringPlatform::rounding(const Local& here) const {
+  return kEnergyRounding * (std::abs(here.energy) + robot_.weight() * robot_.span());
+}
+
+bool SpringPlatform::leaveSaddle(const std::vector<Spring>& springs, Local* here, Pose* pose) const {
+  const PlatformStability stability = platformStability(robot_, here->stiffness);
+  if (stability.kind != Stability::kUnstable) return false;
+  const Wrench motion = (robot_.freedoms() == 6 ? robot_.lever() : robot_.span()) * stability.motions.front();
+  for (double size = kEscape; size > kShortestEscape; size *= 0.1) {
+    for (const double sign : {1.0, -1.0}) {
+      const Wrench step = sign * size * motion;
+      const Pose moved = displaced(*pose, step.head<3>(), step.tail<3>());
+      const Local there = at(moved, springs);
+      if (!(gain(*here, there, step.tail<3>()) > rounding(*here))) continue;
+      *pose = moved;
+      *here = there;
+      return true;
+    }
+  }
+  return false;
 }
 
 Residuals SpringPlatform::residuals(const Local& here) const {

@@ -53,6 +53,13 @@ class SpringPlatform {
   // Newton's step from here under this damping, no longer than the platform may move at once. False: the damped
   // Hessian is not positive definite.
   bool step(const Local& here, double damping, Move* move) const;
+  // The wrench vanishes on saddles of the energy, too, and on its tops: moves to a lower point beside one. False where
+  // the pose is none of them.
+  bool leaveSaddle(const std::vector<Spring>& springs, Local* here, Pose* pose) const;
+  // By which the energy falls from here to there, the work of the external torque included [J].
+  double gain(const Local& here, const Local& there, const Eigen::Vector3d& turn) const;
+  // Below this a difference of energies is rounding [J].
+  double rounding(const Local& here) const;
   Residuals residuals(const Local& here) const;
 
   const RobotDescription& robot_;

@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include "cable/sagging_cable.h"
+#include "cable/text.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
+#include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
+#include "robot/robot_gate.h"
 #include "robot/solution_assembly.h"
 #include "robot/spring_platform.h"
 
@@ -18,6 +21,13 @@ constexpr int kMaxMultiplierUpdates = 60;
 
 // Share of its length by which a tight inextensible cable's chord may differ from it: some digits above rounding.
 constexpr double kExcess = 1e-12;
+
+// Lengths of inextensible cables that contradict each other by more than this share of a length describe no pose; real
+// cables contradict each other by their stretch, their sag and their winches, some thousandths.
+constexpr double kLargestMiss = 0.03;
+
+// Lengths that miss by less than this share agree: they are known to no more digits.
+constexpr double kAgreement = 1e-8;
 
 // Least-squares pose, then the tensions that balance best.
 SearchOutcome solveOverdetermined(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
@@ -76,6 +86,34 @@ SearchOutcome solveInextensible(const RobotDescription& robot, const ForwardRequ
   return outcome;
 }
 
+// What a least-squares pose is worth: by how much its lengths miss, and whether any tensions hold it.
+Status leastSquaresVerdict(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external,
+                           double tolerance) {
+  std::size_t worst = 0;
+  double share = 0.0;
+  for (std::size_t i = 0; i < solution.cables.size(); ++i) {
+    const CableSolution& cable = solution.cables[i].cable;
+    if (cable.closure_residual <= share * cable.length) continue;
+    share = cable.closure_residual / cable.length;
+    worst = i;
+  }
+  const std::string miss =
+      text("the lengths contradict each other: at the pose that fits them best, that of cable '",
+           solution.cables[worst].name, "' misses by ", solution.cables[worst].cable.closure_residual, " m");
+  if (!(share <= kLargestMiss)) {
+    return {Code::kInfeasible, miss +
+                                   ", more than inextensible cables can explain: check lengths, anchors and "
+                                   "attachments"};
+  }
+  if (!balanceVerdict(robot, solution, external, tolerance).ok()) {
+    return {Code::kInfeasible,
+            text(share > kAgreement ? miss + "; there " : "at the pose that fits the lengths ",
+                 "no tensions of pulling cables balance the platform: ", solution.report.force_residual, " N and ",
+                 solution.report.moment_residual, " N m are left over. STRAIGHT_ELASTIC finds the pose that balances")};
+  }
+  return {Code::kConverged, share > kAgreement ? miss + " (least squares)" : ""};
+}
+
 }  // namespace
 
 RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardRequest& request,
@@ -110,13 +148,23 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
     if (!tensions.empty()) cable.closure_residual = std::abs(chord - request.lengths[i]);
     cables.push_back(cable);
   }
-  solution.report.status = outcome.status;
-  solution.report.iterations = outcome.iterations;
   assemble(robot, request.external_wrench, cables, &solution);
-  if (options.compute_stiffness && tensions.empty()) {
-    solution.stiffness = SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs).stiffness;
+  solution.report.iterations = outcome.iterations;
+  Status verdict;
+  if (tensions.empty()) {
+    const auto local = SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs);
+    if (options.compute_stiffness) solution.stiffness = local.stiffness;
+    verdict = verdictOf(robot, solution, request.external_wrench, options.tolerance);
+    if (verdict.ok()) verdict = describeStability(robot, platformStability(robot, local.stiffness));
+  } else {
+    verdict = leastSquaresVerdict(robot, solution, request.external_wrench, options.tolerance);
   }
-  return solution;
+  solution.report.status = verdict;
+  if (verdict.ok() || verdict.code == Code::kUnstable) return solution;
+  const RobotReport& report = solution.report;
+  return failedRobot(
+      options.model,
+      {verdict, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}});
 }
 
 }  // namespace cdpr_kinetostatics

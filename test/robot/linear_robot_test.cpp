@@ -77,12 +77,32 @@ TEST(LinearRobot, WithoutCablesItIsSingular) {
   }
 }
 
+// Only its weight holds a pendulum: it may turn about the vertical and go anywhere, and it swings back.
+TEST(LinearRobot, OpenMotionsAreLeftAlone) {
+  RobotDescription robot = shippedRobot(ROBOT_DIR, "cogiro");
+  robot.com = {0.0, 0.0, -0.5};
+  LinearRobot linear(robot);
+  linear.start(Pose());
+  EXPECT_FALSE(linear.factorise());
+  ASSERT_TRUE(linear.factoriseWithOpenMotions());
+  Wrench wrench;
+  wrench << 3.0, -2.0, 5.0, 0.5, 0.7, -0.4;
+  Wrench displacement = linear.displacement(wrench);
+  displacement.tail<3>() /= linear.lever();
+  Wrench expected = Wrench::Zero();
+  expected.segment<2>(3) = wrench.segment<2>(3) / (0.5 * robot.weight());
+  EXPECT_LT((displacement - expected).norm(), 1e-12);
+  linear.start(Pose());
+  EXPECT_FALSE(linear.factorise()) << "each factorisation is of the stiffness as it is";
+}
+
 TEST(LinearRobot, WhatIsNotFiniteIsNotFactorised) {
   AtHome at("cogiro");
   Eigen::Matrix2d bad = Eigen::Matrix2d::Identity();
   bad(0, 1) = std::nan("");
   at.linear.add(cablePlane(at.robot.cables[0], at.robot.home), bad, 1.0, Eigen::Vector3d::UnitX());
   EXPECT_FALSE(at.linear.factorise());
+  EXPECT_FALSE(at.linear.factoriseWithOpenMotions());
 }
 
 TEST(LinearRobot, StableMeansThatEveryMotionIsResisted) {

@@ -200,6 +200,34 @@ TEST_F(Refusals, FewCablesNeedAFreeAttitude) {
   expectRefused(solveInverse(robot, request, options_), Code::kInfeasible, "free_orientation");
 }
 
+TEST_F(Refusals, RobotsBuiltInCodeAreCheckedLikeFiles) {
+  RobotDescription robot = robot_;
+  robot.cables[1].attachment.x() = kNan;
+  expectRefused(solveForward(robot, forward_, options_), Code::kInvalidInput, "attachment");
+  expectRefused(solveInverse(robot, inverse_, options_), Code::kInvalidInput, "attachment");
+}
+
+// There is no direction to pull in.
+TEST_F(Refusals, AnAttachmentOnItsAnchorIsNoAnswerWithoutNumbers) {
+  for (const Model model : {Model::kStraight, Model::kStraightElastic, Model::kCatenaryInextensible, Model::kCatenary,
+                            Model::kCatenaryCorrected, Model::kBendingInextensible, Model::kBending, Model::kAuto}) {
+    SCOPED_TRACE(modelName(model));
+    InverseRequest request = inverse_;
+    request.pose.position = robot_.cables[0].anchor - request.pose.orientation * robot_.cables[0].attachment;
+    RobotSolverOptions options = patient(model);
+    options.timeout = std::chrono::duration<double>(1.0);
+    const RobotSolution inverse = solveInverse(robot_, request, options);
+    EXPECT_FALSE(inverse.report.status.ok());
+    EXPECT_FALSE(inverse.report.status.message.empty());
+    EXPECT_TRUE(isFinite(inverse));
+    ForwardRequest from_there = forward_;
+    from_there.seed = request.pose;
+    const RobotSolution forward = solveForward(robot_, from_there, options);
+    EXPECT_TRUE(isFinite(forward));
+    if (forward.report.status.ok()) EXPECT_LT(forward.report.force_residual, 1e-4 * robot_.weight());
+  }
+}
+
 TEST_F(Refusals, AbsurdLengthsEndInAStatus) {
   for (const double factor : {1e-6, 0.05, 0.5, 3.0, 100.0}) {
     for (const Model model : {Model::kStraight, Model::kStraightElastic, Model::kCatenaryInextensible, Model::kCatenary,

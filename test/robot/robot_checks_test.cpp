@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
@@ -19,6 +20,45 @@ void expectRefused(const Status& status, const std::string& start) {
   EXPECT_EQ(status.code, Code::kInvalidInput);
   EXPECT_EQ(status.message.substr(0, start.size()), start) << status.message;
   EXPECT_NE(status.message.find(": expected "), std::string::npos) << status.message;
+}
+
+TEST(RobotChecks, RefuseWhatIsNoRobot) {
+  EXPECT_TRUE(checkRobot(cogiro()).ok());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double mass : {0.0, -1.0, 1e308, nan}) {
+    RobotDescription robot = cogiro();
+    robot.mass = mass;
+    expectRefused(checkRobot(robot), "mass is ");
+  }
+  RobotDescription robot = cogiro();
+  robot.gravity = 1e100;
+  expectRefused(checkRobot(robot), "gravity is ");
+  robot = cogiro();
+  robot.mass = 1e10;
+  robot.gravity = 1e5;
+  expectRefused(checkRobot(robot), "the platform's weight, mass times gravity, is ");
+  robot = cogiro();
+  robot.com.z() = 1e100;
+  expectRefused(checkRobot(robot), "com is ");
+  robot = cogiro();
+  robot.cables.clear();
+  expectRefused(checkRobot(robot), "cables is empty");
+  const std::string cable = "cable '" + cogiro().cables[2].name + "': ";
+  robot = cogiro();
+  robot.cables[2].anchor.x() = nan;
+  expectRefused(checkRobot(robot), cable + "anchor is ");
+  robot = cogiro();
+  robot.cables[2].attachment.y() = 1e7;
+  expectRefused(checkRobot(robot), cable + "attachment is ");
+  robot = cogiro();
+  robot.cables[2].properties.axial_stiffness = 1e300;
+  expectRefused(checkRobot(robot), cable + "axial_stiffness is ");
+  robot = cogiro();
+  robot.cables[2].properties.weight = -1.0;
+  expectRefused(checkRobot(robot), cable + "weight is ");
+  robot = cogiro();
+  robot.cables[2].tension_min = nan;
+  expectRefused(checkRobot(robot), cable + "tension_min is ");
 }
 
 TEST(RobotChecks, NameEachCoordinateOfAPose) {

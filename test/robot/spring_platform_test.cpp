@@ -89,6 +89,29 @@ TEST_F(SpringsOfCogiro, StopsAtTheDeadline) {
   EXPECT_GT(outcome.residuals.force, 0.0) << "the seed's";
 }
 
+// Upright on two springs with the mass above them: in balance, on a saddle. It turns over.
+TEST(Springs, LeaveASaddle) {
+  RobotDescription robot;
+  robot.mass = 20.0;
+  robot.com = {0.0, 0.0, 0.3};
+  std::vector<Spring> springs;
+  for (const double side : {-1.0, 1.0}) {
+    CableDescription cable;
+    cable.anchor = {2.0 * side, 0.0, 3.0};
+    cable.attachment = {0.5 * side, 0.0, 0.0};
+    robot.cables.push_back(cable);
+    springs.push_back({1e5, 2.5});
+  }
+  const Wrench none = Wrench::Zero();
+  const SpringPlatform platform(robot, &none);
+  Pose pose;
+  pose.position = {0.0, 0.0, 1.0};
+  const SearchOutcome outcome = platform.descend(springs, 1e-9, Clock::now() + std::chrono::seconds(10), &pose);
+  ASSERT_TRUE(outcome.ok()) << outcome.status.message;
+  EXPECT_LT((pose.orientation * robot.com).z(), -0.29);
+  EXPECT_LT(outcome.residuals.force, 1e-6 * robot.weight());
+}
+
 TEST(Springs, PullButDoNotPush) {
   Spring spring{100.0, 2.0, 5.0, false};
   EXPECT_EQ(spring.tension(2.1), 5.0 + 100.0 * (2.1 - 2.0));

@@ -174,6 +174,45 @@ TEST(StraightForward, MoreCablesThanFreedomsGiveTheLeastSquaresPose) {
   }
 }
 
+// Lengths that no pose has: the answer says by how much, or refuses. Whatever is called an answer is in balance.
+TEST(StraightForward, LengthsThatContradictEachOtherAreToldSo) {
+  Dice dice(84);
+  for (const char* name : {"cogiro", "caroca", "ipanema3", "desktop_music_wire"}) {
+    SCOPED_TRACE(name);
+    const RobotDescription robot = shippedRobot(ROBOT_DIR, name);
+    int answered = 0, refused = 0;
+    for (const double error : {0.0, 1e-3, 0.01, 0.1}) {
+      for (int trial = 0; trial < 20; ++trial) {
+        ForwardRequest request;
+        request.lengths = chords(robot, dice.away(robot.home, 0.02 * robot.span(), 0.05), 1.0);
+        for (double& length : request.lengths) length *= 1.0 + dice.uniform(-error, error);
+        const RobotSolution solution = solveForward(robot, request, patient(Model::kStraight));
+        const Status& status = solution.report.status;
+        EXPECT_TRUE(isFinite(solution));
+        if (!status.ok()) {
+          ++refused;
+          EXPECT_EQ(status.code, Code::kInfeasible) << status.message;
+          EXPECT_TRUE(status.message.find("misses by") != std::string::npos ||
+                      status.message.find("no tensions") != std::string::npos)
+              << status.message;
+          continue;
+        }
+        ++answered;
+        EXPECT_LT(robot.weight() * unbalanced(robot, request, solution).norm(), 1e-5 * robot.weight());
+        double miss = 0.0;
+        for (const CableResult& cable : solution.cables) {
+          miss = std::max(miss, cable.cable.closure_residual / cable.cable.length);
+        }
+        EXPECT_LT(miss, 0.03);
+        EXPECT_EQ(status.message.find("misses by") != std::string::npos, error > 0.0) << status.message;
+        EXPECT_GE(solution.report.closure_residual, 0.0);
+      }
+    }
+    EXPECT_GT(answered, 10);
+    EXPECT_GT(refused, 10);
+  }
+}
+
 // All cables end at the platform's origin, where no moment can be balanced but that of a weight without an arm: the
 // radius is zero, and moments still count.
 TEST(StraightForward, CablesThatMeetAtTheOriginBalanceTheForce) {

@@ -3,31 +3,135 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
+namespace {
 
-bool InverseCable::linearise(const CableDescription& description, const Pose& pose, Steps steps) {
+// Step of the differences behind second derivatives, relative to the tension: their error and their rounding are alike
+// there, and both far below what Newton's method on them notices.
+constexpr double kDifference = 1e-5;
+
+// In one step the pull falls by no more than this share of what it is above its limit, that of an endless catenary or
+// of a line without tension: beyond the fold a linearisation says nothing.
+constexpr double kMostRelease = 0.7;
+
+// A cable is closed where its own step is below this, relative; a bending one where the next linearisation, which
+// every iteration takes in any case, closes it.
+constexpr double kClosed = 1e-14;
+constexpr double kClosedToRounding = 1e-9;
+constexpr double kNearlyClosed = 1e-2;
+constexpr int kMostSteps = 40;
+
+// Derivatives of (H, V, L) with respect to the end (x, y) and to the pull: rows of the inverted system are closure and
+// the pull, H cos + (q L/2 - V) sin of the chord's slope.
+Eigen::Matrix3d byEndAndPull(const SaggingCable& cable, double cosine, double sine) {
+  Eigen::Matrix3d system;
+  system << cable.end().jacobian, cosine, -sine, 0.5 * cable.properties().weight * sine;
+  return system.inverse();
+}
+
+}  // namespace
+
+bool InverseCable::linearise(const CableDescription& description, const Pose& pose, Steps steps, double taut) {
   const bool adapt = steps == Steps::kNew || (steps == Steps::kNewWhereDue && !cable.stepsFit());
   if (!cable.linearise(adapt)) return false;
   plane = cablePlane(description, pose);
-  const double tension = cable.tensionA();
-  // Three equations for (H, V, L): two of closure, and T_A dT_A = H dH + V dV.
-  Eigen::Matrix3d system;
-  system << cable.end().jacobian, cable.horizontalForce() / tension, cable.verticalForceA() / tension, 0.0;
-  const Eigen::Matrix3d inverse = system.inverse();
+  const double chord = std::hypot(plane.x, plane.y);
+  const double cosine = plane.x / chord;
+  const double sine = plane.y / chord;
+  const Eigen::Vector2d forces(cable.horizontalForce(), cable.verticalForceA());
+  const double half_weight = 0.5 * cable.properties().weight * cable.length();
+  const Eigen::Matrix3d inverse = byEndAndPull(cable, cosine, sine);
   const Eigen::Vector2d defect = Eigen::Vector2d(plane.x, plane.y) - cable.end().position;
   open = defect.norm();
-  by_end = inverse.leftCols<2>();
-  start = by_end * defect;
-  by_tension = inverse.col(2);
+  pull = cosine * forces.x() + sine * (half_weight - forces.y());
+  by_pull = inverse.col(2);
+  start = inverse.leftCols<2>() * defect;
+  // As the end moves across the chord, the chord turns, and with it the component of the force that is the pull.
+  const double across = cosine * (half_weight - forces.y()) - sine * forces.x();
+  by_end = inverse.leftCols<2>() - by_pull * (across / chord) * Eigen::RowVector2d(-sine, cosine);
   by_turn = by_end * plane.toPlane() * -cross(plane.arm);
-  return inverse.allFinite();
+  const Eigen::Vector2d closed = forces + start.head<2>();
+  tension = closed.norm();
+  slope = closed.dot(by_pull.head<2>()) / tension;
+  if (!inverse.allFinite() || !std::isfinite(slope) || !measureCurvature(taut)) return false;
+  limitPull();
+  return true;
 }
+
+// By differences of the tangent on the closed cables' curve.
+bool InverseCable::measureCurvature(double taut) {
+  curvature = 0.0;
+  bend.setZero();
+  if (slope >= taut) return true;
+  SaggingCable beside = cable;
+  const double step = kDifference * tension / by_pull.head<2>().norm();
+  beside.step(start + by_pull * step, 1.0);
+  if (!beside.linearise(false)) return false;
+  const double chord = std::hypot(plane.x, plane.y);
+  const Eigen::Vector3d tangent = byEndAndPull(beside, plane.x / chord, plane.y / chord).col(2);
+  const Eigen::Vector2d forces(beside.horizontalForce(), beside.verticalForceA());
+  bend = (tangent - by_pull) / step;
+  curvature = std::max(0.0, (forces.dot(tangent.head<2>()) / forces.norm() - slope) / step);
+  return bend.allFinite() && std::isfinite(curvature);
+}
+
+void InverseCable::limitPull() {
+  // The root of tension + slope d + curvature d^2/2 = limit on the taut side of the parabola's least tension.
+  const auto changeTo = [this](double limit, bool* exists) {
+    const double square = slope * slope + 2.0 * curvature * (limit - tension);
+    *exists = square >= 0.0 && slope + std::sqrt(square) > 0.0;
+    if (*exists) return 2.0 * (limit - tension) / (slope + std::sqrt(square));
+    return curvature > 0.0 ? -slope / curvature : 0.0;
+  };
+  bool exists = false;
+  least = pull + changeTo(lower, &exists);
+  at_fold = !exists;
+  most = pull + changeTo(upper, &exists);
+  too_heavy = !exists && curvature > 0.0;
+  const double h = cable.horizontalForce() + start.x();
+  if (cable.bends()) {
+    // A cable that pushes satisfies no positive tension_min.
+    if (lower > 0.0 && by_pull.x() > 0.0) least = std::max(least, pull - h / by_pull.x());
+  } else {
+    const double chord = std::hypot(plane.x, plane.y);
+    const double endless =
+        isStraight(cable.model()) ? 0.0 : 0.5 * cable.properties().weight * plane.y * plane.y / chord;
+    least = std::max(least, pull - kMostRelease * std::abs(pull - endless));
+  }
+  most = std::max(most, least);
+}
+
+bool InverseCable::close(const CableDescription& description, const Pose& pose, Steps steps, double new_pull,
+                         const Eigen::Vector3d& turn) {
+  Eigen::Vector3d step = change(std::clamp(new_pull, least, most), turn);
+  double last_size = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostSteps && step.allFinite(); ++i) {
+    cable.step(step, cable.dampingFor(step));
+    if (!linearise(description, pose, steps, kTautInSearch)) return false;
+    step = change(std::clamp(new_pull, least, most), Eigen::Vector3d::Zero());
+    const double left = std::max(size(step), cable.angleChange(step));
+    if (cable.bends() ? left < kNearlyClosed
+                      : left < kClosed || (left < kClosedToRounding && left >= 0.5 * last_size)) {
+      return true;
+    }
+    last_size = left;
+  }
+  return false;
+}
+
+double InverseCable::beyondLimits() const { return std::max({0.0, least - pull, pull - most}); }
 
 double InverseCable::size(const Eigen::Vector3d& change) const {
   return std::max(change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length());
+}
+
+Eigen::RowVector3d InverseCable::tensionByTurn() const {
+  const Eigen::Vector2d closed(cable.horizontalForce() + start.x(), cable.verticalForceA() + start.y());
+  return closed.transpose() / tension * by_turn.topRows<2>();
 }
 
 Eigen::Vector3d InverseCable::force() const {

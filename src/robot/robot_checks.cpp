@@ -9,6 +9,9 @@ namespace {
 
 const Status kFine{Code::kConverged, ""};
 
+// The tensions, pitch and roll are to meet six equations.
+constexpr std::size_t kLeastCablesToHoldYaw = 4;
+
 }  // namespace
 
 std::string namesOfCables(const RobotDescription& robot) {
@@ -67,6 +70,13 @@ Status checkPreferredTensions(const RobotDescription& robot, const std::vector<d
     status = checkNotNegative({"preferred_tensions", i, robot.cables[i].name}, tensions[i], kLargestForce, "N");
   }
   return status;
+}
+
+Status checkHoldYaw(const RobotDescription& robot, bool hold_yaw) {
+  if (!hold_yaw || robot.cables.size() >= kLeastCablesToHoldYaw) return kFine;
+  return refused("hold_yaw", "true", text("false for ", robot.name, ", which has ", robot.cables.size(),
+                                          " cables: fewer than ", kLeastCablesToHoldYaw,
+                                          " cannot hold a heading besides a position"));
 }
 
 }  // namespace cdpr_kinetostatics

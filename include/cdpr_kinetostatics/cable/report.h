@@ -17,6 +17,7 @@ enum class Code {
   kInfeasible = -4,  // no tensions within the limits, or out of reach
   kWrongBranch = -5,
   kUnknownCable = -6,
+  kUnstable = -8,  // an equilibrium that the platform would leave
   kInternalError = -99,
 };
 

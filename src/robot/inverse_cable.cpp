@@ -14,9 +14,13 @@ namespace {
 // there, and both far below what Newton's method on them notices.
 constexpr double kDifference = 1e-5;
 
-// In one step the pull falls by no more than this share of what it is above its limit, that of an endless catenary or
-// of a line without tension: beyond the fold a linearisation says nothing.
+// In one step the pull falls by no more than this share of what it is above that of an endless cable: beyond the fold a
+// linearisation says nothing.
 constexpr double kMostRelease = 0.7;
+
+// A cable that bends can push, with no more than this many times the load under which a bar of its chord's length
+// buckles.
+constexpr double kBuckling = 2.0;
 
 // A cable is closed where its own step is below this, relative; a bending one where the next linearisation, which
 // every iteration takes in any case, closes it.
@@ -62,21 +66,32 @@ bool InverseCable::linearise(const CableDescription& description, const Pose& po
   return true;
 }
 
-// By differences of the tangent on the closed cables' curve.
+// By differences of the tangent on the closed cables' curve. What is still open in a bending cable changes its tangent
+// by more than the step does, so there the difference is taken between two cables that have both been closed by one
+// step.
 bool InverseCable::measureCurvature(double taut) {
   curvature = 0.0;
   bend.setZero();
   if (slope >= taut) return true;
-  SaggingCable beside = cable;
   const double step = kDifference * tension / by_pull.head<2>().norm();
-  beside.step(start + by_pull * step, 1.0);
+  Tangent more, less{by_pull, slope};
+  if (!tangentBeside(step, &more)) return false;
+  if (cable.bends() && !tangentBeside(-step, &less)) return false;
+  const double distance = cable.bends() ? 2.0 * step : step;
+  bend = (more.by_pull - less.by_pull) / distance;
+  curvature = std::max(0.0, (more.slope - less.slope) / distance);
+  return bend.allFinite() && std::isfinite(curvature);
+}
+
+bool InverseCable::tangentBeside(double change_of_pull, Tangent* tangent) const {
+  SaggingCable beside = cable;
+  beside.step(start + by_pull * change_of_pull, 1.0);
   if (!beside.linearise(false)) return false;
   const double chord = std::hypot(plane.x, plane.y);
-  const Eigen::Vector3d tangent = byEndAndPull(beside, plane.x / chord, plane.y / chord).col(2);
+  tangent->by_pull = byEndAndPull(beside, plane.x / chord, plane.y / chord).col(2);
   const Eigen::Vector2d forces(beside.horizontalForce(), beside.verticalForceA());
-  bend = (tangent - by_pull) / step;
-  curvature = std::max(0.0, (forces.dot(tangent.head<2>()) / forces.norm() - slope) / step);
-  return bend.allFinite() && std::isfinite(curvature);
+  tangent->slope = forces.dot(tangent->by_pull.head<2>()) / forces.norm();
+  return true;
 }
 
 void InverseCable::limitPull() {
@@ -93,16 +108,18 @@ void InverseCable::limitPull() {
   most = pull + changeTo(upper, &exists);
   too_heavy = !exists && curvature > 0.0;
   const double h = cable.horizontalForce() + start.x();
-  if (cable.bends()) {
-    // A cable that pushes satisfies no positive tension_min.
-    if (lower > 0.0 && by_pull.x() > 0.0) least = std::max(least, pull - h / by_pull.x());
-  } else {
-    const double chord = std::hypot(plane.x, plane.y);
-    const double endless =
-        isStraight(cable.model()) ? 0.0 : 0.5 * cable.properties().weight * plane.y * plane.y / chord;
-    least = std::max(least, pull - kMostRelease * std::abs(pull - endless));
-  }
+  // A cable that pushes satisfies no positive tension_min.
+  if (cable.bends() && lower > 0.0 && by_pull.x() > 0.0) least = std::max(least, pull - h / by_pull.x());
+  least = std::max(least, pull - kMostRelease * std::abs(pull - pullOfEndless()));
   most = std::max(most, least);
+}
+
+double InverseCable::pullOfEndless() const {
+  if (isStraight(cable.model())) return 0.0;
+  const double chord = std::hypot(plane.x, plane.y);
+  const double hanging = 0.5 * cable.properties().weight * plane.y * plane.y / chord;
+  if (!cable.bends()) return hanging;
+  return hanging - kBuckling * cable.properties().bending_stiffness * std::pow(M_PI / chord, 2);
 }
 
 bool InverseCable::close(const CableDescription& description, const Pose& pose, Steps steps, double new_pull,

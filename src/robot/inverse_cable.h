@@ -74,8 +74,17 @@ struct InverseCable {
   Eigen::Matrix3d forceByCable() const;
 
  private:
+  struct Tangent {
+    Eigen::Vector3d by_pull;
+    double slope;
+  };
+
   bool measureCurvature(double taut);
+  // Of this cable, closed, at a pull that is larger by so much.
+  bool tangentBeside(double change_of_pull, Tangent* tangent) const;
   void limitPull();
+  // Less than any longer cable's at this place: of an endless catenary, or of a line without tension [N].
+  double pullOfEndless() const;
 };
 
 }  // namespace cdpr_kinetostatics

@@ -16,6 +16,9 @@ constexpr double kStartingPull = 1.0;
 // And of at least this share of its upper limit: a weightless cable without tension has no shape.
 constexpr double kLeastShare = 1e-9;
 
+// Bending layers, L sqrt(T/EI), in which a cable's two ends know nothing of each other.
+constexpr double kManyLayers = 10.0;
+
 // Imbalance that counts as equilibrium, relative to the platform's weight.
 constexpr double kBalance = 1e-9;
 
@@ -34,6 +37,21 @@ constexpr double kSmallStep = 1e-6;
 
 // Rounding of the merit, relative.
 constexpr double kMeritRounding = 1e-13;
+
+// A bending cable that is taut and many bending layers long has nearly the shape of its catenary. Any other one has
+// another shape, too far off for Newton's method.
+bool isNearCatenary(const InverseCable& catenary, const SaggingCable& cable) {
+  const double layers = catenary.cable.length() * std::sqrt(catenary.tension / cable.properties().bending_stiffness);
+  return catenary.slope > kTautOnPath && layers > kManyLayers;
+}
+
+// So stiff a cable that it pushes at this length starts as long as its chord.
+bool startOnBranch(const InverseCable& catenary, const SolveLimits& limits, SaggingCable* cable) {
+  const double x = catenary.plane.x;
+  const double y = catenary.plane.y;
+  if (cable->startBetween(catenary.cable.length(), x, y, limits).ok() && !cable->pushes()) return true;
+  return cable->startBetween(std::hypot(x, y), x, y, limits).ok();
+}
 
 }  // namespace
 
@@ -82,13 +100,15 @@ Status InverseIteration::startCables(Model closed_form, double tolerance) {
   return {Code::kConverged, ""};
 }
 
-void InverseIteration::useRungs(const std::vector<Model>& rungs, double tolerance) {
+void InverseIteration::useRungs(const std::vector<Model>& rungs, const SolveLimits& limits) {
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const SaggingCable& old = cables_[i].cable;
-    if (old.model() == rungs[i]) continue;
-    SaggingCable cable(problem_.robot.cables[i].properties, rungs[i], tolerance);
-    cable.start(old.length(), {old.horizontalForce(), old.verticalForceA()});
-    cables_[i].cable = std::move(cable);
+    InverseCable& c = cables_[i];
+    if (c.cable.model() == rungs[i]) continue;
+    SaggingCable cable(problem_.robot.cables[i].properties, rungs[i], limits.tolerance);
+    if (!cable.bends() || isNearCatenary(c, cable) || !startOnBranch(c, limits, &cable)) {
+      cable.start(c.cable.length(), {c.cable.horizontalForce(), c.cable.verticalForceA()});
+    }
+    c.cable = std::move(cable);
   }
 }
 
@@ -96,6 +116,16 @@ bool InverseIteration::closeAt(const Eigen::VectorXd& pulls, const Eigen::Vector
   for (std::size_t i = 0; i < cables_.size(); ++i) {
     const double pull = pulls(static_cast<Eigen::Index>(i));
     if (!cables_[i].close(problem_.robot.cables[i], pose_, steps, pull, turn)) return false;
+  }
+  return true;
+}
+
+// Near the branch's end a step may end on another one.
+bool InverseIteration::keepsBranches() const {
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    const InverseCable& c = cables_[i];
+    const bool taut = c.slope > kTautOnPath && !c.cable.pushes();
+    if (!taut && !c.cable.onBranch() && before_[i].cable.onBranch()) return false;
   }
   return true;
 }
@@ -179,7 +209,7 @@ bool InverseIteration::advance(const Move& move, Steps steps) {
   for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     if (k > 0) cables_ = before_;
     pose_ = problem_.attitude.turned(pose, share * move.turn);
-    closed = closeAt(from + share * way, share * turn, steps);
+    closed = closeAt(from + share * way, share * turn, steps) && keepsBranches();
     if (closed && (move.size < kSmallStep || merit() <= merit_before)) break;
   }
   return closed;

@@ -31,8 +31,8 @@ class InverseIteration {
   void setAttitude(const Eigen::Quaterniond& attitude);
   // Puts every cable taut at its preferred tension, moved into its limits, on a closed-form model.
   Status startCables(Model closed_form, double tolerance);
-  // The same forces and lengths on other models.
-  void useRungs(const std::vector<Model>& rungs, double tolerance);
+  // The same forces and lengths, or of slack cables the same lengths, on other models.
+  void useRungs(const std::vector<Model>& rungs, const SolveLimits& limits);
 
   // Closes every cable at its pull. False: one cannot be evaluated, or has no stiffness, here.
   bool closeCables(Steps steps);
@@ -66,6 +66,8 @@ class InverseIteration {
  private:
   double merit() const;
   bool closeAt(const Eigen::VectorXd& pulls, const Eigen::Vector3d& turn, Steps steps);
+  // No cable that hung as it should before a step hangs otherwise after it.
+  bool keepsBranches() const;
   Status unbalanced() const;
 
   InverseProblem problem_;

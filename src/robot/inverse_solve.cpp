@@ -75,13 +75,13 @@ Status InverseSolve::run(Model model) {
     if (choose && status.ok()) rungs_ = choice_.choose(robot_, iteration_.reached(), options_.accuracy, {});
     // What no catenary can do a bar may: the verdict is that of the model asked for.
     if (!choose && status.code == Code::kInfeasible) status.code = Code::kConverged;
-    if (status.ok()) iteration_.useRungs(rungs_, options_.tolerance);
+    if (status.ok()) iteration_.useRungs(rungs_, {options_.tolerance, deadline_});
   }
   if (status.ok()) status = settle(options_.tolerance);
   while (choose && status.ok()) {
     outcome_.status = status;
     if (isWithin(robot_, solution(), options_.accuracy) || !refineRungs(&rungs_)) break;
-    iteration_.useRungs(rungs_, options_.tolerance);
+    iteration_.useRungs(rungs_, {options_.tolerance, deadline_});
     status = settle(options_.tolerance);
   }
   return status;

@@ -74,9 +74,9 @@ Status checkPreferredTensions(const RobotDescription& robot, const std::vector<d
 
 Status checkHoldYaw(const RobotDescription& robot, bool hold_yaw) {
   if (!hold_yaw || robot.cables.size() >= kLeastCablesToHoldYaw) return kFine;
-  return refused("hold_yaw", "true", text("false for ", robot.name, ", which has ", robot.cables.size(),
-                                          " cables: fewer than ", kLeastCablesToHoldYaw,
-                                          " cannot hold a heading besides a position"));
+  return refused("hold_yaw", "true",
+                 text("false for ", robot.name, ", which has ", robot.cables.size(), " cables: fewer than ",
+                      kLeastCablesToHoldYaw, " cannot hold a heading besides a position"));
 }
 
 }  // namespace cdpr_kinetostatics

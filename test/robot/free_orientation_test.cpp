@@ -119,7 +119,8 @@ TEST(FreeOrientation, ThreeCablesCannotHoldAHeading) {
   request.free_orientation = request.hold_yaw = true;
   const RobotSolution refused = solveInverse(robot, request, patient(Model::kCatenary));
   EXPECT_EQ(refused.report.status.code, Code::kInvalidInput);
-  EXPECT_NE(refused.report.status.message.find("hold_yaw is true: expected false for scampi, which has 3 cables"), std::string::npos);
+  EXPECT_NE(refused.report.status.message.find("hold_yaw is true: expected false for scampi, which has 3 cables"),
+            std::string::npos);
 }
 
 TEST(FreeOrientation, ARefusalSpeaksOfAttitudesAndLeavesNothingOpen) {

@@ -16,7 +16,7 @@ Eigen::Matrix<double, 6, 3> wrenchByTurn(const InverseCable& c, const Eigen::Vec
   const double h = c.cable.horizontalForce() + c.start.x();
   const double across = forceDensity(c.plane, h, c.by_end.topRows<2>());
   const Eigen::Matrix3d arm = cross(c.plane.arm);
-  const Eigen::Matrix3d force_by_turn = c.forceByCable() * c.by_turn + across * side * side.transpose() * arm;
+  const Eigen::Matrix3d force_by_turn = c.forceByCable() * c.byTurn() + across * side * side.transpose() * arm;
   Eigen::Matrix<double, 6, 3> wrench;
   wrench << force_by_turn, arm * force_by_turn + cross(force) * arm;
   return wrench;
@@ -51,7 +51,7 @@ FirstOrder firstOrder(const InverseProblem& problem, const Pose& pose, const std
     first.gradient.tail(axes.cols()) += push * first.tension.row(i).transpose();
   }
   first.wrench.rightCols(axes.cols()) = by_turn * axes;
-  first.wrench.bottomRows<3>() /= problem.robot.lever();
+  first.wrench.bottomRows<3>() /= problem.lever;
   return first;
 }
 
@@ -95,7 +95,7 @@ std::optional<QuadraticProgram> attitudeProgram(const InverseProblem& problem, c
     program.hessian(i, i) = weight * weight * (c.slope * c.slope + excess * c.curvature);
     if (!weighed) continue;
     Wrench bend = wrenchAt(c.plane.arm, c.forceByCable() * c.bend);
-    bend.tail<3>() /= problem.robot.lever();
+    bend.tail<3>() /= problem.lever;
     program.hessian(i, i) -= multipliers.dot(bend);
   }
   Eigen::MatrixXd slope_by_turn(n, turns);

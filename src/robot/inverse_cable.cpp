@@ -31,9 +31,9 @@ constexpr int kMostSteps = 40;
 
 // Derivatives of (H, V, L) with respect to the end (x, y) and to the pull: rows of the inverted system are closure and
 // the pull, H cos + (q L/2 - V) sin of the chord's slope.
-Eigen::Matrix3d byEndAndPull(const SaggingCable& cable, double cosine, double sine) {
+Eigen::Matrix3d byEndAndPull(const SaggingCable& cable, const Eigen::Vector2d& along) {
   Eigen::Matrix3d system;
-  system << cable.end().jacobian, cosine, -sine, 0.5 * cable.properties().weight * sine;
+  system << cable.end().jacobian, along.x(), -along.y(), 0.5 * cable.properties().weight * along.y();
   return system.inverse();
 }
 
@@ -43,13 +43,15 @@ bool InverseCable::linearise(const CableDescription& description, const Pose& po
   const bool adapt = steps == Steps::kNew || (steps == Steps::kNewWhereDue && !cable.stepsFit());
   if (!cable.linearise(adapt)) return false;
   plane = cablePlane(description, pose);
-  const double chord = std::hypot(plane.x, plane.y);
-  const double cosine = plane.x / chord;
-  const double sine = plane.y / chord;
+  const Eigen::Vector2d end(plane.x, plane.y);
+  chord = end.norm();
+  along = end / chord;
+  const double cosine = along.x();
+  const double sine = along.y();
   const Eigen::Vector2d forces(cable.horizontalForce(), cable.verticalForceA());
   const double half_weight = 0.5 * cable.properties().weight * cable.length();
-  const Eigen::Matrix3d inverse = byEndAndPull(cable, cosine, sine);
-  const Eigen::Vector2d defect = Eigen::Vector2d(plane.x, plane.y) - cable.end().position;
+  const Eigen::Matrix3d inverse = byEndAndPull(cable, along);
+  const Eigen::Vector2d defect = end - cable.end().position;
   open = defect.norm();
   pull = cosine * forces.x() + sine * (half_weight - forces.y());
   by_pull = inverse.col(2);
@@ -57,7 +59,6 @@ bool InverseCable::linearise(const CableDescription& description, const Pose& po
   // As the end moves across the chord, the chord turns, and with it the component of the force that is the pull.
   const double across = cosine * (half_weight - forces.y()) - sine * forces.x();
   by_end = inverse.leftCols<2>() - by_pull * (across / chord) * Eigen::RowVector2d(-sine, cosine);
-  by_turn = by_end * plane.toPlane() * -cross(plane.arm);
   const Eigen::Vector2d closed = forces + start.head<2>();
   tension = closed.norm();
   slope = closed.dot(by_pull.head<2>()) / tension;
@@ -87,8 +88,7 @@ bool InverseCable::tangentBeside(double change_of_pull, Tangent* tangent) const 
   SaggingCable beside = cable;
   beside.step(start + by_pull * change_of_pull, 1.0);
   if (!beside.linearise(false)) return false;
-  const double chord = std::hypot(plane.x, plane.y);
-  tangent->by_pull = byEndAndPull(beside, plane.x / chord, plane.y / chord).col(2);
+  tangent->by_pull = byEndAndPull(beside, along).col(2);
   const Eigen::Vector2d forces(beside.horizontalForce(), beside.verticalForceA());
   tangent->slope = forces.dot(tangent->by_pull.head<2>()) / forces.norm();
   return true;
@@ -116,7 +116,6 @@ void InverseCable::limitPull() {
 
 double InverseCable::pullOfEndless() const {
   if (isStraight(cable.model())) return 0.0;
-  const double chord = std::hypot(plane.x, plane.y);
   const double hanging = 0.5 * cable.properties().weight * plane.y * plane.y / chord;
   if (!cable.bends()) return hanging;
   return hanging - kBuckling * cable.properties().bending_stiffness * std::pow(M_PI / chord, 2);
@@ -129,7 +128,7 @@ bool InverseCable::close(const CableDescription& description, const Pose& pose, 
   for (int i = 0; i < kMostSteps && step.allFinite(); ++i) {
     cable.step(step, cable.dampingFor(step));
     if (!linearise(description, pose, steps, kTautInSearch)) return false;
-    step = change(std::clamp(new_pull, least, most), Eigen::Vector3d::Zero());
+    step = change(std::clamp(new_pull, least, most));
     const double left = std::max(size(step), cable.angleChange(step));
     if (cable.bends() ? left < kNearlyClosed
                       : left < kClosed || (left < kClosedToRounding && left >= 0.5 * last_size)) {
@@ -143,12 +142,14 @@ bool InverseCable::close(const CableDescription& description, const Pose& pose, 
 double InverseCable::beyondLimits() const { return std::max({0.0, least - pull, pull - most}); }
 
 double InverseCable::size(const Eigen::Vector3d& change) const {
-  return std::max(change.head<2>().norm() / cable.tensionA(), std::abs(change.z()) / cable.length());
+  return std::max(change.head<2>().norm() / tension, std::abs(change.z()) / cable.length());
 }
+
+Eigen::Matrix3d InverseCable::byTurn() const { return by_end * plane.toPlane() * -cross(plane.arm); }
 
 Eigen::RowVector3d InverseCable::tensionByTurn() const {
   const Eigen::Vector2d closed(cable.horizontalForce() + start.x(), cable.verticalForceA() + start.y());
-  return closed.transpose() / tension * by_turn.topRows<2>();
+  return closed.transpose() / tension * byTurn().topRows<2>();
 }
 
 Eigen::Vector3d InverseCable::force() const {

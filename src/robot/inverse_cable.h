@@ -27,16 +27,17 @@ struct InverseCable {
   double lower = 0.0;  // limits of T_A [N]
   double upper = 0.0;
 
-  // Of the last linearisation: (H, V, L) change by start + by_pull * (change of the pull) + by_turn * rotation, and by
+  // Of the last linearisation: (H, V, L) change by start + by_pull * (change of the pull) + byTurn() * rotation, and by
   // half of bend times the square of the pull's change; start is what closes the cable at its pull.
-  double open = 0.0;     // distance of the cable's end from B [m]
-  double pull = 0.0;     // [N]
-  double tension = 0.0;  // T_A of the closed cable [N]
-  double slope = 0.0;    // dT_A/d(pull)
+  double chord = 0.0;     // [m]
+  Eigen::Vector2d along;  // unit vector of the chord, from A
+  double open = 0.0;      // distance of the cable's end from B [m]
+  double pull = 0.0;      // [N]
+  double tension = 0.0;   // T_A of the closed cable [N]
+  double slope = 0.0;     // dT_A/d(pull)
   double curvature = 0.0;
   Eigen::Vector3d start, by_pull, bend;
   Eigen::Matrix<double, 3, 2> by_end;  // at constant pull
-  Eigen::Matrix3d by_turn;
   // The pulls that the limits allow, to second order [N].
   double least = 0.0, most = 0.0;
   bool at_fold = false;    // the least pull is that of the fold
@@ -52,10 +53,14 @@ struct InverseCable {
   bool close(const CableDescription& description, const Pose& pose, Steps steps, double new_pull,
              const Eigen::Vector3d& turn);
 
-  // Of (H, V, L) towards this pull [N] and with this small turn [rad].
+  // Of (H, V, L) towards this pull [N], and with this small turn [rad].
+  Eigen::Vector3d change(double new_pull) const { return start + by_pull * (new_pull - pull); }
   Eigen::Vector3d change(double new_pull, const Eigen::Vector3d& turn) const {
-    return start + by_pull * (new_pull - pull) + by_turn * turn;
+    return change(new_pull) + byTurn() * turn;
   }
+
+  // d(H, V, L)/d(turn) at constant pull.
+  Eigen::Matrix3d byTurn() const;
 
   // How far the pull is from those that the limits allow [N].
   double beyondLimits() const;

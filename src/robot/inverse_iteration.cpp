@@ -174,7 +174,8 @@ InverseIteration::Move InverseIteration::plannedMove() const {
   move.size = turn.norm();
   for (std::size_t k = 0; k < cables_.size(); ++k) {
     const InverseCable& c = cables_[k];
-    const Eigen::Vector3d change = c.change(distribution_.tensions(static_cast<Eigen::Index>(k)), turn);
+    const double pull = distribution_.tensions(static_cast<Eigen::Index>(k));
+    const Eigen::Vector3d change = move.turn.size() == 0 ? c.change(pull) : c.change(pull, turn);
     move.finite = move.finite && change.allFinite();
     move.damping = std::min(move.damping, c.cable.dampingFor(change));
     move.size = std::max({move.size, c.size(change), c.cable.angleChange(change)});
@@ -230,10 +231,9 @@ void InverseIteration::distributeNearby() {
 }
 
 void InverseIteration::take(const Move& move) {
-  const Eigen::Vector3d no_turn = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < cables_.size(); ++k) {
     InverseCable& c = cables_[k];
-    c.cable.step(c.change(distribution_.tensions(static_cast<Eigen::Index>(k)), no_turn), move.damping);
+    c.cable.step(c.change(distribution_.tensions(static_cast<Eigen::Index>(k))), move.damping);
   }
 }
 

@@ -13,9 +13,9 @@ namespace {
 constexpr double kLeastShare = 0.1;
 constexpr double kLeastCurvature = 0.01;
 
-Wrench scaleOf(const RobotDescription& robot) {
+Wrench scaleOf(const InverseProblem& problem) {
   Wrench scale = Wrench::Ones();
-  scale.tail<3>().setConstant(1.0 / robot.lever());
+  scale.tail<3>().setConstant(1.0 / problem.lever);
   return scale;
 }
 
@@ -33,14 +33,14 @@ double objective(const InverseProblem& problem, const std::vector<InverseCable>&
 Eigen::VectorXd imbalance(const InverseProblem& problem, const Pose& pose, const std::vector<InverseCable>& cables) {
   Wrench total = loadWrench(problem.robot, pose, problem.external);
   for (const InverseCable& c : cables) total += wrenchAt(c.plane.arm, c.closedForce());
-  return scaleOf(problem.robot).cwiseProduct(total).head(problem.robot.freedoms());
+  return scaleOf(problem).cwiseProduct(total).head(problem.robot.freedoms());
 }
 
 TensionProblem tensionProgram(const InverseProblem& problem, const Pose& pose, const std::vector<InverseCable>& cables,
                               const Eigen::VectorXd& multipliers) {
   const auto n = static_cast<Eigen::Index>(cables.size());
   const int rows = problem.robot.freedoms();
-  const Wrench scale = scaleOf(problem.robot);
+  const Wrench scale = scaleOf(problem);
   Wrench total = loadWrench(problem.robot, pose, problem.external);
   TensionProblem program;
   program.matrix.resize(rows, n);

@@ -19,6 +19,7 @@ struct InverseProblem {
   Wrench external = Wrench::Zero();
   Eigen::VectorXd preferred;  // T_A of each cable [N]
   FreeAttitude attitude;
+  double lever = robot.lever();  // moments are divided by it [m]
 
   // 1/(max - min) of cable i, what the objective divides its tension by [1/N].
   double weight(std::size_t i) const { return 1.0 / (robot.cables[i].tension_max - robot.cables[i].tension_min); }

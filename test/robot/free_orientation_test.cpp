@@ -75,6 +75,71 @@ TEST_P(Scampi, EveryPositionOnAPathFromHomeIsAnsweredFromAnyAttitude) {
   }
 }
 
+// A plane of positions, each reached from its neighbour by carrying the attitude along: wherever one is held, it is
+// answered from a level platform.
+TEST(FreeOrientation, EveryPositionOfAPlaneThatIsReachedStepByStepIsAnsweredFromLevel) {
+  const RobotDescription robot = shippedRobot(ROBOT_DIR, "scampi");
+  const RobotSolverOptions options = patient(Model::kCatenary);
+  InverseRequest request;
+  request.free_orientation = true;
+  int reached = 0;
+  for (int column = 0; column < 14; ++column) {
+    const double x = 0.36 + 0.3 * (column - 6.5);
+    for (const double step : {0.9, -0.9}) {
+      // Along the row from the middle, until no attitude holds the position.
+      Eigen::Quaterniond carried = Eigen::Quaterniond::Identity();
+      for (double y = step > 0.0 ? -1.77 : -1.77 + step; std::abs(y + 1.77) < 6.0; y += step) {
+        request.pose.position = {x, y, 3.0};
+        request.pose.orientation = carried;
+        const RobotSolution neighbour = solveInverse(robot, request, options);
+        request.pose.orientation.setIdentity();
+        const RobotSolution level = solveInverse(robot, request, options);
+        EXPECT_EQ(level.report.status.ok(), neighbour.report.status.ok())
+            << request.pose.position.transpose() << ": " << level.report.status.message;
+        if (!neighbour.report.status.ok()) break;
+        carried = neighbour.pose.orientation;
+        ++reached;
+      }
+    }
+  }
+  EXPECT_GT(reached, 100);
+}
+
+// Top-heavy platforms on three to five cables hang upside down, or as near to it as their cables let them.
+TEST(FreeOrientation, TopHeavyPlatformsOnFewCablesAreAnsweredStable) {
+  Dice dice(96);
+  const RobotSolverOptions options = patient(Model::kCatenary);
+  for (int k = 0; k < 30; ++k) {
+    SCOPED_TRACE(k);
+    RobotDescription robot;
+    robot.mass = dice.uniform(2.0, 50.0);
+    robot.com = {0.0, 0.0, dice.uniform(0.02, 0.3)};
+    const int count = 3 + k % 3;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * M_PI * (i + dice.uniform(-0.2, 0.2)) / count;
+      CableDescription cable;
+      cable.name = "cable" + std::to_string(i);
+      cable.anchor = {4.0 * std::cos(angle), 4.0 * std::sin(angle), dice.uniform(3.5, 4.5)};
+      cable.attachment = {0.2 * std::cos(angle), 0.2 * std::sin(angle), 0.0};
+      cable.properties.axial_stiffness = 2e5;
+      cable.properties.weight = 0.3;
+      cable.tension_min = 0.0;
+      cable.tension_max = 4.0 * robot.weight();
+      robot.cables.push_back(cable);
+    }
+    robot.home.position = {0.0, 0.0, 1.0};
+    InverseRequest request;
+    request.free_orientation = true;
+    request.pose.position = {dice.uniform(-0.5, 0.5), dice.uniform(-0.5, 0.5), dice.uniform(0.5, 1.5)};
+    const RobotSolution solution = solveInverse(robot, request, options);
+    ASSERT_EQ(solution.report.status.code, Code::kConverged) << solution.report.status.message;
+    const RobotAudit a = audit(robot, Wrench::Zero(), solution);
+    EXPECT_LT(a.force, 1e-8);
+    EXPECT_LT(a.moment, 1e-8);
+    EXPECT_LT(largestStiffness(robot, solution, Model::kCatenary), 0.0) << "it would leave that pose";
+  }
+}
+
 TEST_P(Scampi, TheHeadingIsHeld) {
   Dice dice(98);
   for (int k = 0; k < 10; ++k) {

@@ -49,6 +49,12 @@ class OneCable {
     return closed;
   }
 
+  // With the end moved, before the cable has followed.
+  bool linearisedAt(const Eigen::Vector3d& end) {
+    pose_.position = end;
+    return cable.linearise(description_, pose_, Steps::kKept, kTautInSearch);
+  }
+
   CableSolution solvedAt(double length) const {
     CableSolverOptions options;
     options.model = cable.cable.model();
@@ -110,6 +116,19 @@ TEST_P(DerivativesByPull, AgreeWithCablesSolvedAtOtherLengths) {
     EXPECT_NEAR((more.vertical_force_a - less.vertical_force_a) / by_length, one.cable.by_pull.y(), 1e-4);
     EXPECT_NEAR((more.tension_a - less.tension_a) / by_length, one.cable.slope, 1e-4);
   }
+}
+
+// A bending cable is linearised while its end is still open: second derivatives are those of the closed one.
+TEST(InverseCable, WhatIsStillOpenDoesNotBendTheCurve) {
+  const double chord = std::hypot(kDistance, 1.0);
+  OneCable closed(Model::kBending, {kDistance, 0.0, -1.0}, 0.5, 1.1 * chord);
+  ASSERT_TRUE(closed.pullTo(closed.cable.pull));
+  OneCable open(Model::kBending, {kDistance + 1e-2, 0.0, -1.0}, 0.5, 1.1 * chord);
+  ASSERT_TRUE(open.linearisedAt({kDistance, 0.0, -1.0}));
+  ASSERT_GT(open.cable.open, 5e-3);
+  EXPECT_NEAR(open.cable.slope, closed.cable.slope, 0.05 * closed.cable.slope + 0.02);
+  EXPECT_NEAR(open.cable.curvature, closed.cable.curvature, 0.1 * closed.cable.curvature);
+  EXPECT_LT((open.cable.bend - closed.cable.bend).norm(), 0.1 * closed.cable.bend.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, DerivativesByPull, testing::Values(Model::kCatenary, Model::kBending),

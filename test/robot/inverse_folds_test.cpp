@@ -53,6 +53,11 @@ class RandomRobots : public testing::TestWithParam<bool> {
 
 TEST_P(RandomRobots, AreSolvedOnCatenaries) { solve(150, Model::kCatenary); }
 
+// Bending lowers least tensions: what catenaries can hold, cables that bend hold too.
+TEST_P(RandomRobots, AreSolvedOnCablesThatBend) { solve(60, Model::kBending); }
+
+TEST_P(RandomRobots, AreSolvedByAuto) { solve(60, Model::kAuto); }
+
 TEST_P(RandomRobots, AreSolvedOnLines) { solve(20, Model::kStraightElastic); }
 
 INSTANTIATE_TEST_SUITE_P(TensionMin, RandomRobots, testing::Bool(),
@@ -75,6 +80,36 @@ TEST_P(Slack, Ipanema3WithoutLeastTensions) {
     const RobotSolution solution = solveInverse(robot, request, patient(GetParam()));
     ASSERT_TRUE(solution.report.status.ok()) << solution.report.status.message;
     expectAnswer(robot, solution);
+  }
+}
+
+// The robot of the README, and poses that it can hold.
+TEST_P(Slack, EightRopesAroundABoxWithoutLeastTensions) {
+  RobotDescription robot;
+  robot.mass = 12.5;
+  for (const double level : {2.5, 0.0}) {
+    for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, -1.0),
+                                          Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(-1.0, 1.0)}) {
+      CableDescription cable;
+      cable.name = "cable" + std::to_string(robot.cables.size());
+      cable.anchor = {2.0 * corner.x(), 1.5 * corner.y(), level};
+      cable.attachment = {0.2 * corner.x(), 0.2 * corner.y(), level > 0.0 ? -0.1 : 0.1};
+      cable.properties.axial_stiffness = 4.2e5;
+      cable.properties.bending_stiffness = 0.05;
+      cable.properties.weight = 0.036 * robot.gravity;
+      cable.tension_max = 400.0;
+      robot.cables.push_back(cable);
+    }
+  }
+  Dice dice(86);
+  for (int found = 0; found < 35;) {
+    InverseRequest request;
+    request.pose.position = dice.inBox({-1.2, -0.9, 0.5}, {1.2, 0.9, 2.0});
+    request.preferred_tensions.assign(8, dice.uniform(0.0, 40.0));
+    if (!catenariesCanHold(robot, request.pose, kMargin).value_or(false)) continue;
+    SCOPED_TRACE(found);
+    ++found;
+    expectAnswer(robot, solveInverse(robot, request, patient(GetParam())));
   }
 }
 

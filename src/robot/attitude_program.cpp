@@ -73,6 +73,36 @@ Eigen::RowVectorXd limitByTurn(const InverseCable& c, const Eigen::RowVectorXd& 
   return -tension / std::max(c.slope, 1e-3);
 }
 
+// Of the pulls, as the turn moves them, and of the turn itself.
+void addLimits(const InverseProblem& problem, const Pose& pose, const std::vector<InverseCable>& cables,
+               const FirstOrder& here, const Eigen::MatrixXd& slope_by_turn, QuadraticProgram* program) {
+  const auto n = static_cast<Eigen::Index>(cables.size());
+  const Eigen::Index turns = slope_by_turn.cols();
+  program->normals = Eigen::MatrixXd::Zero(n + turns, 2 * n + 2 * turns);
+  program->bounds.resize(2 * n + 2 * turns);
+  program->scale = Eigen::VectorXd::Ones(n + turns);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const InverseCable& c = cables[i];
+    program->scale(i) = 1.0 / problem.weight(static_cast<std::size_t>(i));
+    program->normals(i, i) = 1.0;
+    program->normals.block(n, i, turns, 1) =
+        -limitByTurn(c, here.tension.row(i), slope_by_turn.row(i), c.at_fold).transpose();
+    program->bounds(i) = c.least - c.pull;
+    program->normals(i, n + i) = -1.0;
+    program->normals.block(n, n + i, turns, 1) =
+        limitByTurn(c, here.tension.row(i), slope_by_turn.row(i), false).transpose();
+    program->bounds(n + i) = c.pull - c.most;
+  }
+  const FreeAttitude::Turn least = problem.attitude.least(pose);
+  const FreeAttitude::Turn most = problem.attitude.most(pose);
+  for (Eigen::Index k = 0; k < turns; ++k) {
+    program->normals(n + k, 2 * n + k) = 1.0;
+    program->bounds(2 * n + k) = least(k);
+    program->normals(n + k, 2 * n + turns + k) = -1.0;
+    program->bounds(2 * n + turns + k) = -most(k);
+  }
+}
+
 }  // namespace
 
 std::optional<QuadraticProgram> attitudeProgram(const InverseProblem& problem, const Pose& pose,
@@ -115,29 +145,7 @@ std::optional<QuadraticProgram> attitudeProgram(const InverseProblem& problem, c
     program.hessian.block(n + k, n, 1, turns) += 0.5 * column.tail(turns).transpose();
     slope_by_turn.col(k) = (there.slope - here.slope) / kDifference;
   }
-  program.normals = Eigen::MatrixXd::Zero(n + turns, 2 * n + 2 * turns);
-  program.bounds.resize(2 * n + 2 * turns);
-  program.scale = Eigen::VectorXd::Ones(n + turns);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const InverseCable& c = cables[i];
-    program.scale(i) = 1.0 / problem.weight(static_cast<std::size_t>(i));
-    program.normals(i, i) = 1.0;
-    program.normals.block(n, i, turns, 1) =
-        -limitByTurn(c, here.tension.row(i), slope_by_turn.row(i), c.at_fold).transpose();
-    program.bounds(i) = c.least - c.pull;
-    program.normals(i, n + i) = -1.0;
-    program.normals.block(n, n + i, turns, 1) =
-        limitByTurn(c, here.tension.row(i), slope_by_turn.row(i), false).transpose();
-    program.bounds(n + i) = c.pull - c.most;
-  }
-  const FreeAttitude::Turn least = problem.attitude.least(pose);
-  const FreeAttitude::Turn most = problem.attitude.most(pose);
-  for (Eigen::Index k = 0; k < turns; ++k) {
-    program.normals(n + k, 2 * n + k) = 1.0;
-    program.bounds(2 * n + k) = least(k);
-    program.normals(n + k, 2 * n + turns + k) = -1.0;
-    program.bounds(2 * n + turns + k) = -most(k);
-  }
+  addLimits(problem, pose, cables, here, slope_by_turn, &program);
   return program;
 }
 

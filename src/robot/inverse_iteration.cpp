@@ -205,13 +205,15 @@ bool InverseIteration::advance(const Move& move, Steps steps) {
   for (Eigen::Index i = 0; i < n; ++i) from(i) = cables_[i].pull;
   const Eigen::Vector3d turn = problem_.attitude.axes(pose) * move.turn;
   const Eigen::VectorXd way = distribution_.tensions.head(n) - from;
+  // What no tensions can remove is no measure of a step.
+  const bool searched = move.size >= kSmallStep && isBalanced();
   double share = 1.0;
   bool closed = false;
   for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     if (k > 0) cables_ = before_;
     pose_ = problem_.attitude.turned(pose, share * move.turn);
     closed = closeAt(from + share * way, share * turn, steps) && keepsBranches();
-    if (closed && (move.size < kSmallStep || merit() <= merit_before)) break;
+    if (closed && (!searched || merit() <= merit_before)) break;
   }
   return closed;
 }

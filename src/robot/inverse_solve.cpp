@@ -16,8 +16,9 @@ namespace {
 // deadline.
 constexpr int kMaxIterations = 300;
 
-// Limits that have not been met for so many iterations in a row will not be: what is left creeps to its least value.
-constexpr int kMostInfeasible = 40;
+// Limits that have not been met in so many iterations will not be: what is left creeps to its least value, or at the
+// border of what can be held, where rounding decides, to and fro.
+constexpr int kMostInfeasible = 50;
 
 // How far the starting model is taken where another one follows.
 constexpr double kRough = 1e-3;
@@ -107,7 +108,7 @@ RobotSolution InverseSolve::solution() const {
 Status InverseSolve::iterate(double tolerance) {
   const Status no_stiffness = {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
   bool adapt = true;
-  int infeasible = 0;  // iterations in a row
+  int infeasible = 0;  // iterations in which the limits could not be met
   double last_size = std::numeric_limits<double>::infinity();
   if (!iteration_.closeCables(Steps::kNew)) return no_stiffness;
   for (int i = 0; i < kMaxIterations; ++i) {
@@ -119,8 +120,7 @@ Status InverseSolve::iterate(double tolerance) {
     const InverseIteration::Move move = iteration_.plannedMove();
     if (!move.finite || !iteration_.advance(move, adapt ? Steps::kNew : Steps::kKept)) return no_stiffness;
     const bool settled = hasSettled(move.size, last_size, tolerance) && !adapt;
-    infeasible = iteration_.isFeasible() ? 0 : infeasible + 1;
-    if (infeasible == kMostInfeasible) return iteration_.infeasible();
+    if (!iteration_.isFeasible() && ++infeasible == kMostInfeasible) return iteration_.infeasible();
     if (settled && (!iteration_.isFeasible() || !iteration_.isBalanced())) return iteration_.infeasible();
     if (settled) return {Code::kConverged, ""};
     adapt = choosesStepsNext(move.size, i);

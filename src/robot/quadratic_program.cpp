@@ -80,8 +80,11 @@ QuadraticStep solveQuadraticProgram(const QuadraticProgram& program, SolveLimits
     directions << program.matrix.transpose(), program.normals(Eigen::all, step.active);
     const auto scale = program.scale.asDiagonal();
     const Eigen::VectorXd pushes = scale * (program.hessian * step.change + program.gradient);
-    const Eigen::MatrixXd scaled = scale * directions;
-    const Eigen::VectorXd all = scaled.colPivHouseholderQr().solve(pushes);
+    // Each column by its own size: newtons and radians are not to be compared.
+    Eigen::MatrixXd scaled = scale * directions;
+    const Eigen::VectorXd sizes = scaled.colwise().norm().transpose().cwiseMax(1e-300);
+    scaled = scaled * sizes.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd all = scaled.colPivHouseholderQr().solve(pushes).cwiseQuotient(sizes);
     step.multipliers = all.head(rows);
     if (!step.active.empty()) step.largest_push = all.tail(all.size() - rows).cwiseAbs().maxCoeff();
     return step;

@@ -91,8 +91,10 @@ QuadraticStep solveQuadraticProgram(const QuadraticProgram& program, SolveLimits
   }
   QuadraticProgram elastic;
   const Eigen::MatrixXd scaled = program.scale.asDiagonal() * program.hessian * program.scale.asDiagonal();
-  const double price = std::max(scaled.cwiseAbs().maxCoeff(), 1e-12) * kImbalancePrice * kImbalancePrice /
-                       std::pow(program.scale.maxCoeff(), 2);
+  // What is left is measured by what the variables can do to it.
+  const double unit = std::max((program.matrix * program.scale.asDiagonal()).cwiseAbs().maxCoeff(), 1e-300);
+  const double price =
+      std::max(scaled.cwiseAbs().maxCoeff(), 1e-12) * kImbalancePrice * kImbalancePrice / std::pow(unit, 2);
   elastic.hessian = Eigen::MatrixXd::Zero(n + rows, n + rows);
   elastic.hessian.topLeftCorner(n, n) = program.hessian;
   elastic.hessian.bottomRightCorner(rows, rows) = price * Eigen::MatrixXd::Identity(rows, rows);
@@ -104,7 +106,7 @@ QuadraticStep solveQuadraticProgram(const QuadraticProgram& program, SolveLimits
   elastic.normals = Eigen::MatrixXd::Zero(n + rows, program.normals.cols());
   elastic.normals.topRows(n) = program.normals;
   elastic.bounds = program.bounds;
-  elastic.scale = Eigen::VectorXd::Constant(n + rows, program.scale.maxCoeff());
+  elastic.scale = Eigen::VectorXd::Constant(n + rows, unit);
   elastic.scale.head(n) = program.scale;
   const QuadraticStep nearest = solveInNullSpace(elastic, deadline);
   step.change = nearest.change.head(n);

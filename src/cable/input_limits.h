@@ -2,6 +2,8 @@
 // states the limit. One place for cables, robots, estimates, messages and parameters.
 #pragma once
 
+#include <cstddef>
+
 namespace cdpr_kinetostatics {
 
 // Lengths, coordinates, accuracies [m]. The longest cable robot has spans of a kilometre.
@@ -37,6 +39,10 @@ inline constexpr double kCoarsestTolerance = 0.1;
 
 // Points of a profile: as many as a picture of any size can show.
 inline constexpr int kMostProfilePoints = 100000;
+
+// Cables of a robot. The largest built has some dozens; the time of inverse kinetostatics grows with the cube of the
+// number.
+inline constexpr std::size_t kMostCables = 256;
 
 // Quaternions this near to unit length are taken as unit.
 inline constexpr double kUnitNorm = 1e-6;

@@ -83,6 +83,8 @@ class SaggingCable {
   Model model() const { return model_; }
   // All integration so far.
   IntegrationWork work() const;
+  // True if the shape is integrated, not a closed form.
+  bool bends() const { return std::holds_alternative<BendingCable>(kind_); }
 
   // The converged cable with all its measures; (x, y) is the end asked for.
   CableSolution describe(double x, double y, int profile_points) const;

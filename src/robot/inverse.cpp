@@ -9,7 +9,8 @@ namespace cdpr_kinetostatics {
 Status checkInverse(const RobotDescription& robot, const InverseRequest& request, const RobotSolverOptions& options) {
   return firstRefusal(checkRobot(robot), checkRobotOptions(options), checkPose("pose", request.pose),
                       checkWrench(robot, request.external_wrench),
-                      checkPreferredTensions(robot, request.preferred_tensions));
+                      checkPreferredTensions(robot, request.preferred_tensions),
+                      checkHoldYaw(robot, request.free_orientation && request.hold_yaw));
 }
 
 RobotSolution solveInverse(const RobotDescription& robot, const InverseRequest& request,

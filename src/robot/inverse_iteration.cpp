@@ -11,100 +11,171 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// Weight of a turn of a free attitude in the objective: it decides only where equilibrium and tensions leave the
-// attitude free. It grows by this factor where the turn swings.
-constexpr double kTurnWeight = 1e-2;  // [1/rad]
-constexpr double kHeavierTurn = 1.5;
-
-// A tension of zero has no answer to problem 3: the least one to start from, as a share of the upper limit.
+// A cable starts with a pull of at least this share of its weight, so taut that a parabola is near its catenary.
+constexpr double kStartingPull = 1.0;
+// And of at least this share of its upper limit: a weightless cable without tension has no shape.
 constexpr double kLeastShare = 1e-9;
+
+// Bending layers, L sqrt(T/EI), in which a cable's two ends know nothing of each other.
+constexpr double kManyLayers = 10.0;
 
 // Imbalance that counts as equilibrium, relative to the platform's weight.
 constexpr double kBalance = 1e-9;
 
-// Raised limits move other tensions down to their folds; more than a few rounds are left to the next iteration.
-constexpr int kRoundsOfFolds = 3;
+// A newton of imbalance costs this much more than the multipliers of equilibrium say: enough for its removal to count
+// as progress.
+constexpr double kPriceAboveMultipliers = 1.5;
+
+// A newton of a cable's pull brings at most this much of imbalance, all components added: 3 of force, 3 of moment.
+constexpr double kNewtonsPerPull = 6.0;
+
+// Halvings of a step that brings nothing forward.
+constexpr int kMostHalvings = 14;
+
+// Smaller steps than this are taken as they are: what they bring is rounding.
+constexpr double kSmallStep = 1e-6;
+
+// Rounding of the merit, relative.
+constexpr double kMeritRounding = 1e-13;
+
+// A bending cable that is taut and many bending layers long has nearly the shape of its catenary. Any other one has
+// another shape, too far off for Newton's method.
+bool isNearCatenary(const InverseCable& catenary, const SaggingCable& cable) {
+  const double layers = catenary.cable.length() * std::sqrt(catenary.tension / cable.properties().bending_stiffness);
+  return catenary.slope > kTautOnPath && layers > kManyLayers;
+}
+
+// So stiff a cable that it pushes at this length starts as long as its chord.
+bool startOnBranch(const InverseCable& catenary, const SolveLimits& limits, SaggingCable* cable) {
+  const double x = catenary.plane.x;
+  const double y = catenary.plane.y;
+  if (cable->startBetween(catenary.cable.length(), x, y, limits).ok() && !cable->pushes()) return true;
+  return cable->startBetween(std::hypot(x, y), x, y, limits).ok();
+}
 
 }  // namespace
 
 void InverseIteration::begin(const InverseRequest& request) {
-  external_ = request.external_wrench;
-  pose_ = request.pose;
-  turn_ = {request.free_orientation && robot_.type == PlatformType::kRigidBody, kTurnWeight};
-  preferred_.resize(static_cast<Eigen::Index>(robot_.cables.size()));
-  for (Eigen::Index i = 0; i < preferred_.size(); ++i) {
-    const CableDescription& cable = robot_.cables[i];
-    preferred_(i) = request.preferred_tensions.empty() ? 0.5 * (cable.tension_min + cable.tension_max)
-                                                       : request.preferred_tensions[i];
+  problem_.external = request.external_wrench;
+  problem_.attitude = FreeAttitude(problem_.robot, request);
+  pose_ = problem_.attitude.allowed(request.pose);
+  problem_.preferred.resize(static_cast<Eigen::Index>(problem_.robot.cables.size()));
+  for (Eigen::Index i = 0; i < problem_.preferred.size(); ++i) {
+    const CableDescription& cable = problem_.robot.cables[i];
+    problem_.preferred(i) = request.preferred_tensions.empty() ? 0.5 * (cable.tension_min + cable.tension_max)
+                                                               : request.preferred_tensions[i];
   }
 }
 
-Status InverseIteration::startCables(const RungOptions& closed_form, double tolerance) {
+void InverseIteration::setAttitude(const Eigen::Quaterniond& attitude) {
+  pose_.orientation = attitude;
+  pose_ = problem_.attitude.allowed(pose_);
+}
+
+Status InverseIteration::startCables(Model closed_form, double tolerance) {
   distribution_ = {};
+  price_ = price_of_limits_ = 0.0;
   cables_.clear();
-  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-    const CableDescription& description = robot_.cables[i];
+  for (std::size_t i = 0; i < problem_.robot.cables.size(); ++i) {
+    const CableDescription& description = problem_.robot.cables[i];
     InverseCable cable;
-    cable.cable = SaggingCable(description.properties, closed_form.model, tolerance);
+    cable.cable = SaggingCable(description.properties, closed_form, tolerance);
     cable.plane = cablePlane(description, pose_);
     cable.lower = description.tension_min;
     cable.upper = description.tension_max;
-    const double tension = std::clamp(preferred_(static_cast<Eigen::Index>(i)),
-                                      std::max(cable.lower, kLeastShare * cable.upper), cable.upper);
-    const CableSolution start = lengthAboveFold(description.properties, tension, closed_form, &cable);
-    if (!start.status.ok()) {
-      return {start.status.code, "cable '" + description.name + "': " + start.status.message};
+    const double chord = std::hypot(cable.plane.x, cable.plane.y);
+    if (!(chord > 0.0)) {
+      return {Code::kInvalidInput, "cable '" + description.name + "': its ends coincide at this pose"};
     }
-    cable.cable.start(start.length, {start.horizontal_force, start.vertical_force_a});
+    const CableProperties& seen = cable.cable.properties();
+    const double tension = std::clamp(problem_.preferred(static_cast<Eigen::Index>(i)),
+                                      std::max(cable.lower, kLeastShare * cable.upper), cable.upper);
+    const double pull = std::max(tension, kStartingPull * seen.weight * chord);
+    double length = chord / (1.0 + pull / seen.axial_stiffness);
+    if (!isStraight(closed_form)) length *= 1.0 + std::pow(seen.weight * cable.plane.x / pull, 2) / 24.0;
+    cable.cable.start(length,
+                      {pull * cable.plane.x / chord, 0.5 * seen.weight * length - pull * cable.plane.y / chord});
     cables_.push_back(std::move(cable));
   }
   return {Code::kConverged, ""};
 }
 
-void InverseIteration::useRungs(const std::vector<Model>& rungs, double tolerance) {
+void InverseIteration::useRungs(const std::vector<Model>& rungs, const SolveLimits& limits) {
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    const SaggingCable& old = cables_[i].cable;
-    if (old.model() == rungs[i]) continue;
-    SaggingCable cable(robot_.cables[i].properties, rungs[i], tolerance);
-    cable.start(old.length(), {old.horizontalForce(), old.verticalForceA()});
-    cables_[i].cable = std::move(cable);
+    InverseCable& c = cables_[i];
+    if (c.cable.model() == rungs[i]) continue;
+    SaggingCable cable(problem_.robot.cables[i].properties, rungs[i], limits.tolerance);
+    if (!cable.bends() || isNearCatenary(c, cable) || !startOnBranch(c, limits, &cable)) {
+      cable.start(c.cable.length(), {c.cable.horizontalForce(), c.cable.verticalForceA()});
+    }
+    c.cable = std::move(cable);
   }
 }
 
-bool InverseIteration::linearise(Steps steps) {
+bool InverseIteration::closeAt(const Eigen::VectorXd& pulls, const Eigen::Vector3d& turn, Steps steps) {
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    if (!cables_[i].linearise(robot_.cables[i], pose_, steps)) return false;
+    const double pull = pulls(static_cast<Eigen::Index>(i));
+    if (!cables_[i].close(problem_.robot.cables[i], pose_, steps, pull, turn)) return false;
   }
   return true;
 }
 
-void InverseIteration::distribute() {
-  const TensionProblem program = tensionProgram(robot_, pose_, external_, cables_, preferred_, turn_);
-  // The limits reached last are mostly those reached again.
-  std::optional<TensionDistribution> likely =
-      distributeAtLimits(program, distribution_.at_lower, distribution_.at_upper);
-  distribution_ = likely ? std::move(*likely) : distributeTensions(program);
+// Near the branch's end a step may end on another one.
+bool InverseIteration::keepsBranches() const {
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    const InverseCable& c = cables_[i];
+    const bool taut = c.slope > kTautOnPath && !c.cable.pushes();
+    if (!taut && !c.cable.onBranch() && before_[i].cable.onBranch()) return false;
+  }
+  return true;
 }
 
-bool InverseIteration::linearisedAboveFolds(const RungOptions& closed_form, Steps steps) {
-  if (!linearise(steps)) return false;
-  if (pullBackFromFolds(robot_, closed_form, &cables_) && !linearise(Steps::kNew)) return false;
-  distribute();
-  for (int k = 0; k < kRoundsOfFolds; ++k) {
-    if (!raiseLimitsToFolds(robot_, distribution_.tensions, closed_form, &cables_)) break;
-    distribute();
+bool InverseIteration::closeCables(Steps steps) {
+  Eigen::VectorXd pulls(static_cast<Eigen::Index>(cables_.size()));
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    if (!cables_[i].linearise(problem_.robot.cables[i], pose_, steps, kTautInSearch)) return false;
+    pulls(static_cast<Eigen::Index>(i)) = cables_[i].pull;
+  }
+  return closeAt(pulls, Eigen::Vector3d::Zero(), steps);
+}
+
+bool InverseIteration::distribute(SolveLimits::Clock::time_point deadline) {
+  const auto n = static_cast<int>(cables_.size());
+  if (problem_.attitude.freedoms() == 0) {
+    const TensionProblem program = tensionProgram(problem_, pose_, cables_, distribution_.multipliers);
+    // The limits reached last are mostly those reached again.
+    std::optional<TensionDistribution> likely =
+        distributeAtLimits(program, distribution_.at_lower, distribution_.at_upper);
+    distribution_ = likely ? std::move(*likely) : distributeTensions(program, deadline);
+  } else {
+    const std::optional<QuadraticProgram> program =
+        attitudeProgram(problem_, pose_, cables_, distribution_.multipliers);
+    if (!program) return false;
+    const QuadraticStep step = solveQuadraticProgram(*program, deadline);
+    distribution_ = {};
+    distribution_.tensions = step.change;
+    for (int i = 0; i < n; ++i) distribution_.tensions(i) += cables_[i].pull;
+    distribution_.feasible = step.feasible;
+    distribution_.imbalance = step.imbalance;
+    distribution_.largest_push = step.largest_push;
+    if (step.feasible) distribution_.multipliers = step.multipliers;
+    for (const int k : step.active) {
+      if (k < n) distribution_.at_lower.push_back(k);
+      if (k >= n && k < 2 * n) distribution_.at_upper.push_back(k - n);
+    }
   }
   return true;
 }
 
 InverseIteration::Move InverseIteration::plannedMove() const {
   Move move;
-  if (turn_.free) move.turn = distribution_.tensions.tail<3>();
-  // A heavy turn takes short steps: what counts is the slope that is left.
-  move.size = move.turn.norm() * std::max(1.0, turn_.weight * turn_.weight);
+  move.turn = distribution_.tensions.tail(problem_.attitude.freedoms());
+  const Eigen::Vector3d turn = problem_.attitude.axes(pose_) * move.turn;
+  move.size = turn.norm();
   for (std::size_t k = 0; k < cables_.size(); ++k) {
     const InverseCable& c = cables_[k];
-    const Eigen::Vector3d change = c.change(distribution_.tensions(static_cast<Eigen::Index>(k)), move.turn);
+    const double pull = distribution_.tensions(static_cast<Eigen::Index>(k));
+    const Eigen::Vector3d change = move.turn.size() == 0 ? c.change(pull) : c.change(pull, turn);
     move.finite = move.finite && change.allFinite();
     move.damping = std::min(move.damping, c.cable.dampingFor(change));
     move.size = std::max({move.size, c.size(change), c.cable.angleChange(change)});
@@ -112,20 +183,71 @@ InverseIteration::Move InverseIteration::plannedMove() const {
   return move;
 }
 
+// Where the limits cannot be met, the objective does not count.
+double InverseIteration::merit() const {
+  const double left = imbalance(problem_, pose_, cables_).lpNorm<1>();
+  double beyond = 0.0;
+  for (const InverseCable& c : cables_) beyond += c.beyondLimits();
+  if (!distribution_.feasible) return left + kNewtonsPerPull * beyond;
+  return objective(problem_, cables_) + price_ * left + price_of_limits_ * beyond;
+}
+
+bool InverseIteration::advance(const Move& move, Steps steps) {
+  const auto n = static_cast<Eigen::Index>(cables_.size());
+  if (distribution_.feasible && distribution_.multipliers.size() > 0) {
+    price_ = std::max(price_, kPriceAboveMultipliers * distribution_.multipliers.cwiseAbs().maxCoeff());
+  }
+  price_of_limits_ = std::max(price_of_limits_, kPriceAboveMultipliers * distribution_.largest_push);
+  before_ = cables_;
+  const Pose pose = pose_;
+  const double merit_before = merit() * (1.0 + kMeritRounding);
+  Eigen::VectorXd from(n);
+  for (Eigen::Index i = 0; i < n; ++i) from(i) = cables_[i].pull;
+  const Eigen::Vector3d turn = problem_.attitude.axes(pose) * move.turn;
+  const Eigen::VectorXd way = distribution_.tensions.head(n) - from;
+  // What no tensions can remove is no measure of a step.
+  const bool searched = move.size >= kSmallStep && isBalanced();
+  double share = 1.0;
+  bool closed = false;
+  for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
+    if (k > 0) cables_ = before_;
+    pose_ = problem_.attitude.turned(pose, share * move.turn);
+    closed = closeAt(from + share * way, share * turn, steps) && keepsBranches();
+    if (closed && (!searched || merit() <= merit_before)) break;
+  }
+  return closed;
+}
+
+bool InverseIteration::lineariseNearby(Steps steps) {
+  for (std::size_t i = 0; i < cables_.size(); ++i) {
+    if (!cables_[i].linearise(problem_.robot.cables[i], pose_, steps, kTautOnPath)) return false;
+  }
+  return true;
+}
+
+void InverseIteration::distributeNearby() {
+  const TensionProblem program = tensionProgram(problem_, pose_, cables_, distribution_.multipliers);
+  std::optional<TensionDistribution> likely =
+      distributeAtLimits(program, distribution_.at_lower, distribution_.at_upper);
+  distribution_ = likely ? std::move(*likely) : distributeTensions(program);
+}
+
 void InverseIteration::take(const Move& move) {
   for (std::size_t k = 0; k < cables_.size(); ++k) {
     InverseCable& c = cables_[k];
-    c.cable.step(c.change(distribution_.tensions(static_cast<Eigen::Index>(k)), move.turn), move.damping);
+    c.cable.step(c.change(distribution_.tensions(static_cast<Eigen::Index>(k))), move.damping);
   }
-  pose_ = displaced(pose_, Eigen::Vector3d::Zero(), move.damping * move.turn);
 }
 
-void InverseIteration::makeTurnHeavier() { turn_.weight *= kHeavierTurn; }
+bool InverseIteration::isFeasible() const {
+  return distribution_.feasible &&
+         std::none_of(cables_.begin(), cables_.end(), [](const InverseCable& c) { return c.too_heavy; });
+}
 
-bool InverseIteration::isBalanced() const { return distribution_.imbalance <= kBalance * robot_.weight(); }
+bool InverseIteration::isBalanced() const { return distribution_.imbalance <= kBalance * problem_.robot.weight(); }
 
 Status InverseIteration::infeasible() const {
-  return isFeasible() ? unbalanced() : contradiction(robot_, cables_, distribution_);
+  return isFeasible() ? unbalanced() : contradiction(problem_.robot, cables_, distribution_);
 }
 
 Status InverseIteration::unbalanced() const {
@@ -133,7 +255,7 @@ Status InverseIteration::unbalanced() const {
   text << "the " << cables_.size()
        << " cables cannot balance the load at this pose, whatever their tensions: " << distribution_.imbalance
        << " N is left (moments divided by the platform's radius)";
-  if (!turn_.free && robot_.type == PlatformType::kRigidBody) {
+  if (problem_.attitude.freedoms() == 0 && problem_.robot.type == PlatformType::kRigidBody) {
     text << "; with free_orientation the attitude is left to equilibrium";
   }
   return {Code::kInfeasible, text.str()};
@@ -141,14 +263,14 @@ Status InverseIteration::unbalanced() const {
 
 Residuals InverseIteration::residuals() const {
   Residuals residuals;
-  Wrench total = loadWrench(robot_, pose_, external_);
+  Wrench total = loadWrench(problem_.robot, pose_, problem_.external);
   for (const InverseCable& c : cables_) {
     total += wrenchAt(c.plane.arm, c.force());
     residuals.closure = std::max(residuals.closure, c.open);
   }
   if (!total.allFinite() || !std::isfinite(residuals.closure)) return {};
   residuals.force = total.head<3>().norm();
-  residuals.moment = robot_.type == PlatformType::kPointMass ? 0.0 : total.tail<3>().norm();
+  residuals.moment = problem_.robot.type == PlatformType::kPointMass ? 0.0 : total.tail<3>().norm();
   return residuals;
 }
 

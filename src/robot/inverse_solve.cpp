@@ -3,32 +3,28 @@
 #include <algorithm>
 #include <limits>
 
+#include "cable/cable_description.h"
 #include "cable/iteration_schedule.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
-#include "robot/tension_limits.h"
 
 namespace cdpr_kinetostatics {
 namespace {
 
-// A free attitude may creep along a valley; whoever waits is bounded by the deadline.
-constexpr int kMaxIterations = 2000;
+// Newton's method on the program needs ten iterations, from the worst starts a hundred; whoever waits is bounded by the
+// deadline.
+constexpr int kMaxIterations = 300;
+
+// Limits that have not been met in so many iterations will not be: what is left creeps to its least value, or at the
+// border of what can be held, where rounding decides, to and fro.
+constexpr int kMostInfeasible = 50;
 
 // How far the starting model is taken where another one follows.
 constexpr double kRough = 1e-3;
 
-// Tolerance of the closed-form problem 3 behind starts and folds: better than any use of them needs.
-constexpr double kClosedFormTolerance = 1e-6;
-
-// Limits that still contradict each other after so many iterations do.
-constexpr int kIterationsToFeasibility = 8;
-
-// A step that has grown by more than this means that the turn of a free attitude swings.
-constexpr double kSwing = 1.5;
-
 // Steps that have stopped to shrink are rounding if they are smaller than this. Smaller than in Newton's methods: the
-// curvature of the constraints is left out of the program, so that steps shrink only linearly.
+// multipliers that weigh the curvature are those of the step before.
 constexpr double kRoundingStep = 1e-6;
 
 // A prediction along a path that changes forces or lengths by more than this share is a jump.
@@ -44,86 +40,88 @@ bool hasSettled(double size, double last_size, double tolerance) {
 }  // namespace
 
 InverseSolve::InverseSolve(const RobotDescription& robot, const RobotSolverOptions& options)
-    : robot_(robot), options_(options), iteration_(robot) {}
-
-RungOptions InverseSolve::closedForm() const {
-  RungOptions options;
-  options.model = startingRung(options_.model);
-  options.limits = {kClosedFormTolerance, deadline_};
-  return options;
-}
+    : robot_(robot), options_(options), iteration_(robot), linear_(robot) {}
 
 const Status& InverseSolve::solve(const InverseRequest& request, Clock::time_point deadline) {
   deadline_ = deadline;
+  request_ = request;
   outcome_ = {};
-  external_ = request.external_wrench;
-  iteration_.begin(request);
-  outcome_.status = run(options_.model);
-  const Code code = outcome_.status.code;
-  if (options_.model == Model::kAuto &&
-      (code == Code::kNotConverged || code == Code::kWrongBranch || code == Code::kInfeasible)) {
-    outcome_ = {};
-    iteration_.begin(request);
-    outcome_.status = run(Model::kBending);
+  outcome_.status = attempt(request.pose.orientation);
+  if (iteration_.attitude().freedoms() > 0 && !outcome_.ok() && !isLate()) {
+    outcome_.status = searchAttitudes(outcome_.status);
   }
   return outcome_.status;
 }
 
+Status InverseSolve::attempt(const Eigen::Quaterniond& attitude) {
+  const auto from = [&](Model model) {
+    iteration_.begin(request_);
+    iteration_.setAttitude(attitude);
+    return run(model);
+  };
+  Status status = from(options_.model);
+  if (options_.model == Model::kAuto &&
+      (status.code == Code::kNotConverged || status.code == Code::kWrongBranch || status.code == Code::kInfeasible)) {
+    status = from(Model::kBending);
+  }
+  return status.ok() ? judge() : status;
+}
+
 Status InverseSolve::run(Model model) {
   const bool choose = model == Model::kAuto;
-  Status status = iteration_.startCables(closedForm(), options_.tolerance);
+  Status status = iteration_.startCables(startingRung(model), options_.tolerance);
   rungs_.assign(robot_.cables.size(), model);
   if (status.ok() && startingRung(model) != model) {
     status = iterate(kRough);
     if (choose && status.ok()) rungs_ = choice_.choose(robot_, iteration_.reached(), options_.accuracy, {});
-    if (status.ok()) iteration_.useRungs(rungs_, options_.tolerance);
+    // What no catenary can do a bar may: the verdict is that of the model asked for.
+    if (!choose && status.code == Code::kInfeasible) status.code = Code::kConverged;
+    if (status.ok()) iteration_.useRungs(rungs_, {options_.tolerance, deadline_});
   }
   if (status.ok()) status = settle(options_.tolerance);
   while (choose && status.ok()) {
     outcome_.status = status;
     if (isWithin(robot_, solution(), options_.accuracy) || !refineRungs(&rungs_)) break;
-    iteration_.useRungs(rungs_, options_.tolerance);
+    iteration_.useRungs(rungs_, {options_.tolerance, deadline_});
     status = settle(options_.tolerance);
   }
   return status;
 }
 
 RobotSolution InverseSolve::solution() const {
-  if (!outcome_.ok()) return failedRobot(options_.model, outcome_);
+  if (!outcome_.ok() && outcome_.status.code != Code::kUnstable) return failedRobot(options_.model, outcome_);
   RobotSolution solution;
   solution.pose = iteration_.pose();
-  solution.report.status.code = Code::kConverged;
+  solution.report.status = outcome_.status;
   solution.report.iterations = outcome_.iterations;
   std::vector<CableSolution> cables;
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     const CablePlane plane = cablePlane(robot_.cables[i], solution.pose);
     cables.push_back(iteration_.cables()[i].cable.describe(plane.x, plane.y, options_.profile_points));
   }
-  assemble(robot_, external_, cables, &solution);
-  if (options_.model == Model::kAuto) solution.report.status.message = describeChoice(solution);
+  assemble(robot_, request_.external_wrench, cables, &solution);
+  std::string& message = solution.report.status.message;
+  if (options_.model == Model::kAuto) message = describeChoice(solution) + (message.empty() ? "" : "; " + message);
   return solution;
 }
 
 Status InverseSolve::iterate(double tolerance) {
-  const RungOptions closed_form = closedForm();
+  const Status no_stiffness = {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
   bool adapt = true;
+  int infeasible = 0;  // iterations in which the limits could not be met
   double last_size = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d last_turn = Eigen::Vector3d::Zero();
+  if (!iteration_.closeCables(Steps::kNew)) return no_stiffness;
   for (int i = 0; i < kMaxIterations; ++i) {
-    if (Clock::now() > deadline_) {
-      return {Code::kTimedOut, "the time allowed ran out while the tensions were distributed"};
-    }
+    if (isLate()) return {Code::kTimedOut, "the time allowed ran out while the tensions were distributed"};
     ++outcome_.iterations;
-    if (!iteration_.linearisedAboveFolds(closed_form, adapt ? Steps::kNew : Steps::kKept)) break;
     outcome_.residuals = iteration_.residuals();
+    if (!iteration_.distribute(deadline_)) return no_stiffness;
+    if (isLate()) continue;
     const InverseIteration::Move move = iteration_.plannedMove();
-    if (!move.finite) return {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
-    iteration_.take(move);
-    if (i > 0 && (move.turn.dot(last_turn) < 0.0 || move.size > kSwing * last_size)) iteration_.makeTurnHeavier();
-    last_turn = move.turn;
+    if (!move.finite || !iteration_.advance(move, adapt ? Steps::kNew : Steps::kKept)) return no_stiffness;
     const bool settled = hasSettled(move.size, last_size, tolerance) && !adapt;
-    const bool decided = settled || i >= kIterationsToFeasibility;
-    if ((decided && !iteration_.isFeasible()) || (settled && !iteration_.isBalanced())) return iteration_.infeasible();
+    if (!iteration_.isFeasible() && ++infeasible == kMostInfeasible) return iteration_.infeasible();
+    if (settled && (!iteration_.isFeasible() || !iteration_.isBalanced())) return iteration_.infeasible();
     if (settled) return {Code::kConverged, ""};
     adapt = choosesStepsNext(move.size, i);
     last_size = move.size;
@@ -152,19 +150,39 @@ Status InverseSolve::checkBranches() const {
   return {Code::kConverged, ""};
 }
 
-bool InverseSolve::follow(const InverseRequest& request) {
-  outcome_.iterations = 0;
-  external_ = request.external_wrench;
-  iteration_.begin(request);
-  if (iteration_.isFree()) return false;
+// Whether the platform stays there.
+Status InverseSolve::judge() { return describeStability(robot_, platformStability(robot_, stiffness())); }
+
+const LinearRobot::Stiffness& InverseSolve::stiffness() {
+  linear_.start(iteration_.pose());
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-    iteration_.cables()[i].lower = robot_.cables[i].tension_min;
+    const InverseCable& c = iteration_.cables()[i];
+    EndPoint end = c.cable.end();
+    if (isInextensible(c.cable.model())) {  // a real cable stretches: without that it has no stiffness at all
+      const Eigen::Vector2d along = Eigen::Vector2d(c.plane.x, c.plane.y).normalized();
+      const Eigen::Vector2d force_along(along.x(), -along.y());
+      end.jacobian.leftCols<2>() +=
+          c.cable.length() / robot_.cables[i].properties.axial_stiffness * along * force_along.transpose();
+    }
+    linear_.add(c.plane, forceJacobian(end).leftCols<2>(), c.cable.horizontalForce(), c.force());
   }
-  if (!predict() || !converge() || !checkBranches().ok()) return false;
-  return options_.model != Model::kAuto || choice_.serve(robot_, iteration_.reached(), options_.accuracy, rungs_);
+  return linear_.stiffness();
 }
 
-// The cables follow the platform at constant tension.
+bool InverseSolve::follow(const InverseRequest& request) {
+  outcome_.iterations = 0;
+  request_ = request;
+  iteration_.begin(request);
+  if (iteration_.attitude().freedoms() > 0) return false;
+  if (!predict() || !converge() || !checkBranches().ok() || !isStable(robot_, stiffness())) return false;
+  if (options_.model == Model::kAuto && !choice_.serve(robot_, iteration_.reached(), options_.accuracy, rungs_)) {
+    return false;
+  }
+  outcome_.status = {Code::kConverged, ""};
+  return true;
+}
+
+// The cables follow the platform at constant pull.
 bool InverseSolve::predict() {
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     InverseCable& c = iteration_.cables()[i];
@@ -176,16 +194,14 @@ bool InverseSolve::predict() {
   return true;
 }
 
-// From a state near the solution, and away from folds.
+// From a state near the solution.
 bool InverseSolve::converge() {
-  const RungOptions closed_form = closedForm();
   double last_size = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostLinearisations; ++i) {
     ++outcome_.iterations;
-    if (!iteration_.linearise(Steps::kNewWhereDue)) return false;
-    iteration_.distribute();
+    if (!iteration_.lineariseNearby(Steps::kNewWhereDue)) return false;
+    iteration_.distributeNearby();
     if (!iteration_.isFeasible() || !iteration_.isBalanced()) return false;
-    if (anyAtFold(iteration_.cables(), iteration_.distribution().tensions, closed_form)) return false;
     const InverseIteration::Move move = iteration_.plannedMove();
     if (!move.finite || move.damping < 1.0) return false;
     iteration_.take(move);

@@ -6,10 +6,13 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "cdpr_kinetostatics/robot/inverse.h"
 #include "robot/inverse_iteration.h"
+#include "robot/linear_robot.h"
+#include "robot/platform_stability.h"
 #include "robot/rung_choice.h"
 #include "robot/search_outcome.h"
 
@@ -22,7 +25,8 @@ class InverseSolve {
   // The robot must outlive the object.
   InverseSolve(const RobotDescription& robot, const RobotSolverOptions& options);
 
-  // Requests are taken as checked by checkInverse(). AUTO that finds no answer tries BENDING on every cable.
+  // Requests are taken as checked by checkInverse(). AUTO that finds no answer tries BENDING on every cable; a free
+  // attitude that is not found, or is unstable, from the one asked for is looked for from others.
   const Status& solve(const InverseRequest& request, Clock::time_point deadline);
 
   // From the last answer, which must be one. False where that leads nowhere: near folds and other branches, to other
@@ -40,20 +44,32 @@ class InverseSolve {
   int iterations() const { return outcome_.iterations; }
 
  private:
+  // From this attitude, in full.
+  Status attempt(const Eigen::Quaterniond& attitude);
   Status run(Model model);
   Status iterate(double tolerance);
   Status settle(double tolerance);
   Status checkBranches() const;
-  RungOptions closedForm() const;
+  Status judge();
+
+  // A free attitude from elsewhere, after the attempt from the attitude asked for has ended like this.
+  Status searchAttitudes(const Status& first);
+  // To where an unstable platform would go with its lengths.
+  std::optional<Eigen::Quaterniond> attitudeAfterFall();
+  // Along the line from home to the position, each solve from the attitude before.
+  std::optional<Eigen::Quaterniond> attitudeFromHome();
+  bool isLate() const { return Clock::now() > deadline_; }
 
   bool predict();
   bool converge();
+  const LinearRobot::Stiffness& stiffness();
 
   const RobotDescription& robot_;
   const RobotSolverOptions options_;
-  Wrench external_ = Wrench::Zero();
+  InverseRequest request_;
   Clock::time_point deadline_;
   InverseIteration iteration_;
+  LinearRobot linear_;
   std::vector<Model> rungs_;  // of the cables
   RungChoice choice_;         // AUTO
   SearchOutcome outcome_;

@@ -75,12 +75,12 @@ class DualActiveSet {
 }  // namespace
 
 NearestPoint nearestInPolytope(const Eigen::VectorXd& x0, const Eigen::MatrixXd& normals, const Eigen::VectorXd& bounds,
-                               double tolerance) {
+                               double tolerance, SolveLimits::Clock::time_point deadline) {
   DualActiveSet set(normals, bounds, x0);
   NearestPoint nearest;
   // Every addition raises the distance from x0, so no active set comes twice; the cap is for rounding.
   const int cap = 100 * static_cast<int>(bounds.size() + 1);
-  for (int i = 0; i < cap; ++i) {
+  for (int i = 0; i < cap && SolveLimits::Clock::now() < deadline; ++i) {
     const int p = set.mostViolated(tolerance);
     if (p < 0 || !set.add(p)) {
       nearest.feasible = p < 0;

@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "cdpr_kinetostatics/cable/solve_limits.h"
+
 namespace cdpr_kinetostatics {
 
 struct NearestPoint {
@@ -16,8 +18,10 @@ struct NearestPoint {
   std::vector<int> active;  // constraints that hold with equality; if infeasible, those in contradiction
 };
 
-// normals: one column per constraint; tolerance: accepted violation, in the unit of bounds.
+// normals: one column per constraint; tolerance: accepted violation, in the unit of bounds. After the deadline the
+// point reached is returned as infeasible.
 NearestPoint nearestInPolytope(const Eigen::VectorXd& x0, const Eigen::MatrixXd& normals, const Eigen::VectorXd& bounds,
-                               double tolerance);
+                               double tolerance,
+                               SolveLimits::Clock::time_point deadline = SolveLimits::Clock::time_point::max());
 
 }  // namespace cdpr_kinetostatics

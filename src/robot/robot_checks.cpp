@@ -24,6 +24,9 @@ Status checkDescription(const CableDescription& cable) {
                       checkNotNegative("tension_max", cable.tension_max, kLargestForce, "N"));
 }
 
+// The tensions, pitch and roll are to meet six equations.
+constexpr std::size_t kLeastCablesToHoldYaw = 4;
+
 }  // namespace
 
 std::string namesOfCables(const RobotDescription& robot) {
@@ -38,7 +41,9 @@ Status checkRobot(const RobotDescription& robot) {
       checkBetween("gravity", robot.gravity, kLeastGravity, kLargestGravity, "m/s^2"),
       checkBetween("the platform's weight, mass times gravity,", robot.weight(), kLeastWeight, kLargestForce, "N"),
       checkPoint("com", robot.com));
-  if (status.ok() && robot.cables.empty()) status = refused("cables", "empty", "one cable at least");
+  if (status.ok() && (robot.cables.empty() || robot.cables.size() > kMostCables)) {
+    status = refused("the number of cables", text(robot.cables.size()), text("1 to ", kMostCables));
+  }
   for (const CableDescription& cable : robot.cables) {
     if (!status.ok()) break;
     status = checkDescription(cable);
@@ -97,6 +102,13 @@ Status checkPreferredTensions(const RobotDescription& robot, const std::vector<d
     status = checkNotNegative({"preferred_tensions", i, robot.cables[i].name}, tensions[i], kLargestForce, "N");
   }
   return status;
+}
+
+Status checkHoldYaw(const RobotDescription& robot, bool hold_yaw) {
+  if (!hold_yaw || robot.cables.size() >= kLeastCablesToHoldYaw) return kFine;
+  return refused("hold_yaw", "true",
+                 text("false for ", robot.name, ", which has ", robot.cables.size(), " cables: fewer than ",
+                      kLeastCablesToHoldYaw, " cannot hold a heading besides a position"));
 }
 
 }  // namespace cdpr_kinetostatics

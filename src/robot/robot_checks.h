@@ -28,6 +28,9 @@ Status checkLengths(const RobotDescription& robot, const std::vector<double>& le
 // One for each cable, or none.
 Status checkPreferredTensions(const RobotDescription& robot, const std::vector<double>& tensions);
 
+// Whether a heading can be held with the attitude free.
+Status checkHoldYaw(const RobotDescription& robot, bool hold_yaw);
+
 // "cable0, cable1": for messages.
 std::string namesOfCables(const RobotDescription& robot);
 

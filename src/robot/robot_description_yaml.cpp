@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "cable/input_limits.h"
 #include "robot/cable_keys.h"
 #include "robot/robot_checks.h"
 #include "robot/yaml_map.h"
@@ -143,7 +144,12 @@ LoadedRobot parse(const YAML::Node& node, const std::string& default_name) {
 
   const CableKeys defaults = readDefaults(root, warnings);
   std::set<std::string> names;
-  for (YamlMap& point : root.maps("points")) {
+  std::vector<YamlMap> points = root.maps("points");
+  if (points.size() > kMostCables) {
+    throw std::invalid_argument("points has " + std::to_string(points.size()) + " cables: expected at most " +
+                                std::to_string(kMostCables));
+  }
+  for (YamlMap& point : points) {
     const std::string default_cable_name = "cable" + std::to_string(robot.cables.size());
     robot.cables.push_back(readPoint(point, default_cable_name, defaults, robot, warnings));
     if (!names.insert(robot.cables.back().name).second) {

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robot/nearest_in_polytope.h"
 
@@ -17,16 +18,37 @@ constexpr double kRank = 1e-10;
 // Accepted violation of a limit, relative to the scaled variables' size.
 constexpr double kLimitTolerance = 1e-12;
 
-// Least reciprocal condition number of the matrix times its transpose, in which singular values are squared: above it,
-// the solution by that product is as exact as the one by singular values.
-constexpr double kRankOfSquare = 1e-8;
+// Least square of the ratio of the smallest to the largest diagonal element in the Cholesky factor of the matrix times
+// its transpose: it is the reciprocal condition number of that product to about two digits, at a small part of the
+// cost. Above 1e-8, the solution by the product is as exact as the one by singular values.
+constexpr double kRankOfSquare = 1e-6;
 
 // Weight of the tensions' norm beside that of the imbalance, both relative.
 constexpr double kLeastNorm = 1e-8;
 
-}  // namespace
+// Price of what is left of the wrench where the limits cannot be met, relative to the tensions' own weight: high enough
+// for as little as possible to be left, low enough for the digits of a double to hold both.
+constexpr double kImbalancePrice = 1e4;
 
-TensionDistribution distributeTensions(const TensionProblem& problem) {
+// Of a feasible distribution: gradient = matrix^T multipliers where no limit is reached.
+void findMultipliers(const TensionProblem& problem, TensionDistribution* distribution) {
+  Eigen::VectorXd weight = problem.weight;
+  for (const std::vector<int>* limits : {&distribution->at_lower, &distribution->at_upper}) {
+    for (const int i : *limits) weight(i) = 0.0;
+  }
+  // Each equation divided by its weight: those at limits drop out.
+  const Eigen::VectorXd compliance =
+      problem.weight.cwiseInverse().cwiseProduct((weight.array() > 0.0).cast<double>().matrix());
+  const Eigen::VectorXd right = weight.cwiseProduct(distribution->tensions - problem.preferred);
+  distribution->multipliers =
+      (compliance.asDiagonal() * problem.matrix.transpose()).completeOrthogonalDecomposition().solve(right);
+  distribution->largest_push = (problem.weight.cwiseAbs2().cwiseProduct(distribution->tensions - problem.preferred) -
+                                problem.matrix.transpose() * distribution->multipliers)
+                                   .cwiseAbs()
+                                   .maxCoeff();
+}
+
+TensionDistribution distributeExactly(const TensionProblem& problem, SolveLimits::Clock::time_point deadline) {
   const Eigen::Index n = problem.preferred.size();
   const Eigen::VectorXd inverse_weight = problem.weight.cwiseInverse();
   const Eigen::VectorXd preferred = problem.weight.cwiseProduct(problem.preferred);
@@ -59,13 +81,42 @@ TensionDistribution distributeTensions(const TensionProblem& problem) {
   const auto count = static_cast<Eigen::Index>(cable.size());
   const Eigen::VectorXd bounds = Eigen::Map<const Eigen::VectorXd>(bound.data(), count);
   const NearestPoint nearest = nearestInPolytope(null.transpose() * (preferred - particular), normals.leftCols(count),
-                                                 bounds, kLimitTolerance * scale);
+                                                 bounds, kLimitTolerance * scale, deadline);
   distribution.feasible = nearest.feasible;
   distribution.tensions = inverse_weight.cwiseProduct(particular + null * nearest.x);
   for (const int constraint : nearest.active) {
     const int i = cable[constraint];
     (i >= 0 ? distribution.at_lower : distribution.at_upper).push_back(i >= 0 ? i : -1 - i);
   }
+  return distribution;
+}
+
+}  // namespace
+
+TensionDistribution distributeTensions(const TensionProblem& problem, SolveLimits::Clock::time_point deadline) {
+  TensionDistribution distribution = distributeExactly(problem, deadline);
+  if (distribution.feasible) {
+    findMultipliers(problem, &distribution);
+    return distribution;
+  }
+  // What is left of the wrench joins the variables, without limits and at a high price.
+  const Eigen::Index n = problem.preferred.size();
+  const Eigen::Index rows = problem.wrench.size();
+  const auto extended = [rows](const Eigen::VectorXd& values, double more) {
+    Eigen::VectorXd longer = Eigen::VectorXd::Constant(values.size() + rows, more);
+    longer.head(values.size()) = values;
+    return longer;
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  TensionProblem elastic;
+  elastic.matrix.resize(rows, n + rows);
+  elastic.matrix << problem.matrix, Eigen::MatrixXd::Identity(rows, rows);
+  elastic.wrench = problem.wrench;
+  elastic.preferred = extended(problem.preferred, 0.0);
+  elastic.weight = extended(problem.weight, kImbalancePrice * problem.weight.maxCoeff());
+  elastic.lower = extended(problem.lower, -kInfinity);
+  elastic.upper = extended(problem.upper, kInfinity);
+  distribution.tensions = distributeExactly(elastic, deadline).tensions.head(n);
   return distribution;
 }
 
@@ -83,7 +134,10 @@ std::optional<TensionDistribution> distributeAtLimits(const TensionProblem& prob
   }
   const Eigen::MatrixXd compliant = problem.matrix * compliance.asDiagonal();
   const Eigen::LLT<Eigen::MatrixXd> factor(compliant * problem.matrix.transpose());
-  if (factor.info() != Eigen::Success || !(factor.rcond() > kRankOfSquare)) return std::nullopt;
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  const auto diagonal = factor.matrixLLT().diagonal();
+  const double ratio = diagonal.minCoeff() / diagonal.maxCoeff();
+  if (!(ratio * ratio > kRankOfSquare)) return std::nullopt;
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(problem.wrench.size());
   for (int refinement = 0; refinement < 2; ++refinement) {
     const Eigen::VectorXd correction = factor.solve(problem.wrench - problem.matrix * tensions);
@@ -105,6 +159,8 @@ std::optional<TensionDistribution> distributeAtLimits(const TensionProblem& prob
     if (pushes_out(i, -1.0)) return std::nullopt;
   }
   distribution.feasible = true;
+  distribution.multipliers = multipliers;
+  distribution.largest_push = pushes.cwiseAbs().maxCoeff();
   distribution.at_lower = at_lower;
   distribution.at_upper = at_upper;
   return distribution;

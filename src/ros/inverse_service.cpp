@@ -15,6 +15,7 @@ InverseKinetostatics::Response solve(const NodeParameters& parameters, const Inv
   InverseRequest question;
   question.pose = checkedPose("pose", request.pose);
   question.free_orientation = request.free_orientation != 0;
+  question.hold_yaw = request.hold_yaw != 0;
   question.external_wrench = fromMsg(request.external_wrench);
   question.preferred_tensions = request.preferred_tensions;
 

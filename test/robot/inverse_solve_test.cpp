@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <ctime>
+#include <string>
+
+#include "cable/input_limits.h"
 #include "robot_audit.h"
 #include "robot_cases.h"
 
@@ -68,6 +73,31 @@ TEST_P(InverseSolveOfCogiro, DoesNotFollowWhereItCannot) {
   EXPECT_FALSE(solve_.follow(free));
   ASSERT_TRUE(solve_.solve(requestAt({0.0, 0.0, 1.5}), Clock::time_point::max()).ok());
   EXPECT_FALSE(solve_.follow(requestAt({12.0, 0.0, 1.5}))) << "outside the frame";
+}
+
+// As many cables as a description may have, half of them asked to pull as hard as they can.
+TEST(InverseSolveOfManyCables, KeepsToItsTime) {
+  RobotDescription robot = shippedRobot(ROBOT_DIR, "cogiro");
+  CableDescription cable = robot.cables[0];
+  robot.cables.clear();
+  InverseRequest request;
+  request.pose.position = {0.3, 0.2, 1.5};
+  for (std::size_t i = 0; i < kMostCables; ++i) {
+    const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(kMostCables);
+    cable.name = "cable" + std::to_string(i);
+    cable.anchor = {6.0 * std::cos(angle), 5.0 * std::sin(angle), i % 2 == 0 ? 5.0 : -1.0};
+    cable.attachment = {0.5 * std::cos(angle + 0.5), 0.5 * std::sin(angle + 0.5), 0.1 * static_cast<double>(i % 3)};
+    robot.cables.push_back(cable);
+    request.preferred_tensions.push_back(i % 2 == 0 ? cable.tension_min : cable.tension_max);
+  }
+  RobotSolverOptions options = patient(Model::kCatenary);
+  options.timeout = std::chrono::milliseconds(50);
+  const std::clock_t begin = std::clock();
+  const RobotSolution solution = solveInverse(robot, request, options);
+  // Of this process' own time, so that a busy machine does not count; one decomposition more is what may be late.
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 0.5);
+  EXPECT_TRUE(solution.report.status.ok() || solution.report.status.code == Code::kTimedOut)
+      << solution.report.status.message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, InverseSolveOfCogiro, testing::Values(Model::kCatenary, Model::kBending, Model::kAuto),

@@ -42,7 +42,7 @@ TEST(RobotChecks, RefuseWhatIsNoRobot) {
   expectRefused(checkRobot(robot), "com is ");
   robot = cogiro();
   robot.cables.clear();
-  expectRefused(checkRobot(robot), "cables is empty");
+  expectRefused(checkRobot(robot), "the number of cables is 0");
   const std::string cable = "cable '" + cogiro().cables[2].name + "': ";
   robot = cogiro();
   robot.cables[2].anchor.x() = nan;

@@ -136,6 +136,15 @@ TEST(RobotDescription, NotAMapIsAnError) {
   EXPECT_EQ(complaint(YAML::Node()), "robot = nothing: expected a map of keys");
 }
 
+TEST(RobotDescription, HasAtMost256Cables) {
+  YAML::Node node = goodRobot();
+  const YAML::Node point = YAML::Load("{frame: [4, 4, 5], platform: [0.1, 0.1, 0]}");
+  while (node["points"].size() < 256) node["points"].push_back(YAML::Clone(point));
+  EXPECT_EQ(complaint(node), "");
+  node["points"].push_back(YAML::Clone(point));
+  EXPECT_EQ(complaint(node), "points has 257 cables: expected at most 256");
+}
+
 class BadFile : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadFile, IsNamed) {

@@ -1,11 +1,13 @@
 #include "robot_audit.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "cable_equations.h"
 #include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "geometry/spatial.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -109,6 +111,36 @@ double largestProfileDefect(const RobotDescription& robot, const RobotSolution& 
     largest = std::max(largest, std::hypot(last.x - std::hypot(to_b.x(), to_b.y()), last.y - to_b.z()));
   }
   return largest;
+}
+
+double largestStiffness(const RobotDescription& robot, const RobotSolution& solution, Model model) {
+  CableSolverOptions options;
+  options.model = model;
+  options.tolerance = 1e-10;
+  bool solved = true;
+  const auto wrenchAt = [&](const Pose& pose) {
+    std::vector<PlaneForces> forces;
+    for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+      const Eigen::Vector3d to_b = attachmentInWorld(pose, robot.cables[i].attachment) - robot.cables[i].anchor;
+      const double length = solution.cables[i].cable.length;
+      const CableSolution cable =
+          findForces(robot.cables[i].properties, length, to_b.head<2>().norm(), to_b.z(), options);
+      solved = solved && cable.status.ok();
+      forces.push_back({cable.horizontal_force, cable.vertical_force_a, length});
+    }
+    return totalWrench(robot, Wrench::Zero(), pose, forces);
+  };
+  constexpr double kStep = 1e-5;
+  Eigen::Matrix<double, 6, 6> stiffness;
+  for (int k = 0; k < 6; ++k) {
+    const Wrench step = kStep * Wrench::Unit(k);
+    stiffness.col(k) = (wrenchAt(displaced(solution.pose, step.head<3>(), step.tail<3>())) -
+                        wrenchAt(displaced(solution.pose, -step.head<3>(), -step.tail<3>()))) /
+                       (2.0 * kStep);
+  }
+  if (!solved) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Matrix<double, 6, 6> symmetric = 0.5 * (stiffness + stiffness.transpose());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(symmetric).eigenvalues()(5);
 }
 
 }  // namespace cdpr_kinetostatics

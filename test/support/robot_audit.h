@@ -40,4 +40,8 @@ RobotAudit audit(const RobotDescription& robot, const Wrench& external, const Ro
 // Runge-Kutta steps, to the next one; the largest distance from it, in m. B counts as the last point.
 double largestProfileDefect(const RobotDescription& robot, const RobotSolution& solution, int steps);
 
+// The largest eigenvalue of the stiffness at fixed lengths, by differences of wrenches whose cables are solved one by
+// one for their forces: above zero, the platform leaves the pose. NaN where a cable was not solved.
+double largestStiffness(const RobotDescription& robot, const RobotSolution& solution, Model model);
+
 }  // namespace cdpr_kinetostatics

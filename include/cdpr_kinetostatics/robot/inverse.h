@@ -14,7 +14,8 @@ namespace cdpr_kinetostatics {
 
 struct InverseRequest {
   Pose pose;
-  bool free_orientation = false;            // the attitude too is left to equilibrium, pose gives its seed
+  bool free_orientation = false;  // the attitude too is left to equilibrium, pose gives its seed
+  bool hold_yaw = false;          // with free_orientation: the yaw of R = Rz(yaw) Ry(pitch) Rx(roll) stays as in pose
   Wrench external_wrench = Wrench::Zero();  // on the platform, without its weight
   std::vector<double> preferred_tensions;   // at A [N]; empty: middle of the limits
 };

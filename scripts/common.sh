@@ -17,11 +17,22 @@ source_ros() {
   fi
 }
 
+# Puts the package into the workspace, as a folder of links to all but the workspace. One link to the repository would lead
+# back to the workspace inside it, and rosrun, which searches the package, would say "File system loop detected".
+link_package() {
+  local package=$workspace/src/cdpr_kinetostatics entry
+  [ ! -L "$package" ] || rm "$package"
+  mkdir -p "$package"
+  find "$package" -maxdepth 1 -type l -delete
+  for entry in "$repository"/*; do
+    [[ $workspace/ == "$entry"/* ]] || ln -s "$entry" "$package/"
+  done
+}
+
 # build [CMAKE_ARGUMENT...]: makes the workspace if needed and builds all of the package but its tests.
 build() {
   source_ros
-  mkdir -p "$workspace/src"
-  ln -sfn "$repository" "$workspace/src/cdpr_kinetostatics"
+  link_package
   echo "building in $workspace"
   catkin_make -C "$workspace" -j"$(nproc)" --cmake-args "$@"
 }

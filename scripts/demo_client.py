@@ -56,7 +56,7 @@ class Robot:
         anchors = [Point(*(float(c) for c in point["frame"])) for point in description["points"]]
         home = [float(c) for c in platform["position"]["xyz"]]
         rpy = [float(c) for c in platform["position"].get("rpy", [0, 0, 0])]
-        self.name = description["name"]
+        self.name = description.get("name", "robot")  # the node's own default
         self.span = max(distance(a, b) for a in anchors for b in anchors)
         self.target = Pose(Point(home[0] + STEP * self.span, home[1], home[2]), quaternion(*rpy))
         is_point = platform.get("type", "rigid_body") == "point_mass"

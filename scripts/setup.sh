@@ -20,7 +20,7 @@ if [ -d /opt/ros/noetic ]; then
     ros-noetic-geometry-msgs ros-noetic-interactive-markers ros-noetic-message-generation
     ros-noetic-message-runtime ros-noetic-rosbag ros-noetic-rosbash ros-noetic-roscpp ros-noetic-roslaunch ros-noetic-rospy
     ros-noetic-rosservice ros-noetic-rostest ros-noetic-rviz ros-noetic-sensor-msgs ros-noetic-std-msgs ros-noetic-std-srvs
-    ros-noetic-tf2-ros ros-noetic-visualization-msgs
+    ros-noetic-tf2-msgs ros-noetic-tf2-ros ros-noetic-visualization-msgs
   )
 else
   packages+=(
@@ -31,7 +31,7 @@ else
     ros-sensor-msgs ros-std-msgs ros-std-srvs ros-visualization-msgs
     # run and test
     python3-diagnostic-msgs python3-geometry-msgs python3-rosbag python3-roslaunch python3-rosparam python3-rospy python3-rosservice
-    python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-visualization-msgs
+    python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-msgs python3-visualization-msgs
     rosbash rosout rviz
   )
 fi

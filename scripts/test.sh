@@ -58,6 +58,7 @@ export ROS_HOME=${ROS_HOME:-$workspace/ros_home}
 check "test programs build and run" catkin_make -C "$workspace" -j"$(nproc)" run_tests
 if [ -z "$sanitize" ]; then
   check "benchmarks run" "$repository/scripts/benchmarks.sh" --quick
+  check "no loop of links in the package" find -L "$workspace/src/cdpr_kinetostatics" -name package.xml
   check clang-format format
   check catkin_lint catkin_lint --strict -W2 --offline --ignore external_interface_path --ignore global_var_collision \
     --ignore literal_project_name --ignore uninstalled_script "$workspace/src/cdpr_kinetostatics"

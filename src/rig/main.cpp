@@ -5,6 +5,7 @@
 
 #include "rig/parameters.h"
 #include "rig/simulator.h"
+#include "ros/clock_watch.h"
 
 int main(int argc, char** argv) {
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what the node says appears at once, in a pipe too
@@ -16,8 +17,9 @@ int main(int argc, char** argv) {
     private_handle.getParam(private_handle.getNamespace(), values);
     const cdpr_kinetostatics::LoadedRigParameters loaded = cdpr_kinetostatics::loadRigParameters(values);
     for (const std::string& warning : loaded.warnings) ROS_WARN_STREAM(warning);
+    const cdpr_kinetostatics::ClockWatch clock_watch(handle);
     cdpr_kinetostatics::RigSimulator(handle, private_handle, loaded.parameters).run();
-  } catch (const std::invalid_argument& problem) {
+  } catch (const std::exception& problem) {
     ROS_FATAL_STREAM(problem.what());
     return 1;
   }

@@ -1,15 +1,18 @@
 #include "rig/simulator.h"
 
+#include <ros/callback_queue.h>
 #include <ros/console.h>
 #include <ros/init.h>
-#include <ros/rate.h>
 #include <sensor_msgs/JointState.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "cable/text.h"
 #include "rig/load.h"
+#include "rig/step_clock.h"
+#include "ros/clock_watch.h"
 #include "ros/conversions.h"
 #include "ros/markers.h"
 #include "ros/request_checks.h"
@@ -173,11 +176,19 @@ void RigSimulator::step(std::uint64_t step) {
 }
 
 void RigSimulator::run() {
-  ros::Rate rate(parameters_.rate);
-  for (std::uint64_t n = 0; ros::ok(); ++n) {
-    step(n);
-    ros::spinOnce();
-    rate.sleep();
+  constexpr double kLongestWait = 0.1;     // [s], after which it is seen whether the node was shut down
+  constexpr double kSimulatedWait = 1e-3;  // [s], to look at a clock whose speed is not known
+  StepClock clock(parameters_.rate);
+  std::uint64_t n = 0;
+  while (ros::ok()) {
+    const double now = ros::Time::now().toSec();
+    if (!isTimeMissing() && clock.isDue(now)) {
+      step(n++);
+      ros::spinOnce();
+      continue;
+    }
+    const double wait = ros::Time::isSimTime() ? kSimulatedWait : std::min(clock.timeOfNext() - now, kLongestWait);
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
   }
 }
 

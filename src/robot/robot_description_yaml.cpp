@@ -2,14 +2,15 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <ios>
 #include <set>
 #include <stdexcept>
 
 #include "cable/input_limits.h"
 #include "robot/cable_keys.h"
 #include "robot/robot_checks.h"
+#include "robot/yaml_file.h"
 #include "robot/yaml_map.h"
+#include "robot/yaml_tree.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -137,7 +138,7 @@ LoadedRobot parse(const YAML::Node& node, const std::string& default_name) {
   LoadedRobot loaded;
   RobotDescription& robot = loaded.robot;
 
-  YamlMap root(node, "");
+  YamlMap root(plainTree(node), "");
   robot.name = root.textOr("name", default_name);
   robot.gravity = root.optionalNumber("gravity", Range::kPositive, "m/s^2").value_or(robot.gravity);
   readPlatform(root.map("platform"), robot, warnings);
@@ -176,11 +177,7 @@ LoadedRobot parseRobot(const YAML::Node& node) { return parse(node, "robot"); }
 
 LoadedRobot loadRobotFile(const std::string& path) {
   try {
-    return parse(YAML::LoadFile(path), fileStem(path));
-  } catch (const YAML::BadFile&) {
-    throw std::invalid_argument(path + ": expected a file that can be read");
-  } catch (const std::ios_base::failure&) {  // a directory
-    throw std::invalid_argument(path + ": expected a file that can be read");
+    return parse(loadYamlFile(path), fileStem(path));
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": expected YAML; " + error.what());
   } catch (const std::invalid_argument& error) {

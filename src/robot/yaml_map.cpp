@@ -1,14 +1,13 @@
 #include "robot/yaml_map.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "robot/yaml_scalar.h"
+
 namespace cdpr_kinetostatics {
 namespace {
-
-constexpr std::size_t kLongestQuote = 60;  // characters of a wrong value that a message repeats
 
 bool lies(double value, Range range) {
   if (!std::isfinite(value)) return false;
@@ -40,20 +39,9 @@ std::string describe(Range range, const std::string& unit) {
   return "";
 }
 
-std::string quote(const YAML::Node& node) {
-  if (node.IsNull()) return "nothing";
-  YAML::Emitter emitter;
-  emitter << YAML::Flow << node;
-  std::string text = emitter.c_str();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.size() > kLongestQuote) text = text.substr(0, kLongestQuote) + "...";
-  return text;
-}
-
 std::optional<double> readNumber(const YAML::Node& node, Range range) {
-  double value = 0.0;
-  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !lies(value, range)) return std::nullopt;
-  return value;
+  const std::optional<double> value = node.IsScalar() ? numberOf(readScalar(node)) : std::nullopt;
+  return value && lies(*value, range) ? value : std::nullopt;
 }
 
 }  // namespace
@@ -62,15 +50,6 @@ YamlMap::YamlMap(const YAML::Node& node, const std::string& path) : node_(node),
   const std::string here = path.empty() ? "robot" : path;
   if (!node.IsDefined()) throw std::invalid_argument(here + " is missing: expected a map of keys");
   if (!node.IsMap()) throw std::invalid_argument(here + " = " + quote(node) + ": expected a map of keys");
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    if (!entry.first.IsScalar()) {
-      throw std::invalid_argument(here + " has the key " + quote(entry.first) + ": expected names as keys");
-    }
-    if (!seen.insert(entry.first.Scalar()).second) {
-      throw std::invalid_argument(pathOf(entry.first.Scalar()) + " is given twice: expected each key once");
-    }
-  }
 }
 
 bool YamlMap::has(const std::string& key) { return node(key).IsDefined(); }
@@ -116,9 +95,12 @@ Eigen::Vector3d YamlMap::vectorOr(const std::string& key, Range range, const std
 
 std::string YamlMap::textOr(const std::string& key, const std::string& fallback) {
   if (!has(key)) return fallback;
-  const YAML::Node text = node(key);
-  if (!text.IsScalar() || text.Scalar().empty()) fail(key, "a name that is not empty");
-  return text.Scalar();
+  const YAML::Node found = node(key);
+  const std::optional<std::string> word = found.IsScalar() ? wordOf(readScalar(found)) : std::nullopt;
+  if (!word || word->empty()) {
+    fail(key, "a name that is not empty, in quotes if it looks like a number with a point, or like true or false");
+  }
+  return *word;
 }
 
 YamlMap YamlMap::map(const std::string& key) { return YamlMap(node(key), pathOf(key)); }

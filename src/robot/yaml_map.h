@@ -16,7 +16,7 @@ enum class Range { kAny, kPositive, kNonNegative, kFraction };
 
 class YamlMap {
  public:
-  // Throws std::invalid_argument unless node is a map that has each key once. path is empty at the root.
+  // Of a plain tree (yaml_tree.h). Throws std::invalid_argument unless node is a map. path is empty at the root.
   YamlMap(const YAML::Node& node, const std::string& path);
 
   // Each key that is read counts as known.

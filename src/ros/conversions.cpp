@@ -2,6 +2,7 @@
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace cdpr_kinetostatics {
@@ -40,6 +41,20 @@ std::uint8_t toMsg(Condition condition) {
   return CableState::TAUT;
 }
 
+// A number without a point would be a whole number, and 1e+20 would be text.
+YAML::Node numberNode(double number) {
+  std::string digits = YAML::Node(number).Scalar();
+  if (digits.find('.') == std::string::npos) digits.insert(std::min(digits.find('e'), digits.size()), ".0");
+  return YAML::Node(digits);
+}
+
+// As in quotes: the text 010 is no number.
+YAML::Node textNode(const std::string& text) {
+  YAML::Node node(text);
+  node.SetTag("!");
+  return node;
+}
+
 }  // namespace
 
 YAML::Node toYaml(const XmlRpc::XmlRpcValue& value) {
@@ -50,9 +65,9 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value) {
     case XmlRpcValue::TypeInt:
       return YAML::Node(static_cast<const int&>(value));
     case XmlRpcValue::TypeDouble:
-      return YAML::Node(static_cast<const double&>(value));
+      return numberNode(static_cast<const double&>(value));
     case XmlRpcValue::TypeString:
-      return YAML::Node(static_cast<const std::string&>(value));
+      return textNode(static_cast<const std::string&>(value));
     case XmlRpcValue::TypeArray: {
       YAML::Node sequence(YAML::NodeType::Sequence);
       for (int i = 0; i < value.size(); ++i) sequence.push_back(toYaml(value[i]));

@@ -1,6 +1,7 @@
 #include "ros/diagnostics.h"
 
 #include "cable/text.h"
+#include "ros/clock_watch.h"
 
 namespace cdpr_kinetostatics {
 
@@ -18,8 +19,10 @@ Diagnostics::Diagnostics(const ros::NodeHandle& private_handle, EstimatorLoop& l
   updater_.add("solver", this, &Diagnostics::solver);
   updater_.add("estimate", this, &Diagnostics::estimate);
   const double period = private_handle.param("diagnostic_period", 1.0);
-  timer_ = private_handle.createWallTimer(ros::WallDuration(period),
-                                          [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  timer_ = private_handle.createWallTimer(ros::WallDuration(period), [this, period](const ros::WallTimerEvent&) {
+    // The updater adds its period to the time, and throws at the end of ROS' time.
+    if (ros::Time::now().toSec() + period < ros::TIME_MAX.toSec()) updater_.force_update();
+  });
 }
 
 void Diagnostics::input(DiagnosticStatusWrapper& status) {
@@ -28,10 +31,13 @@ void Diagnostics::input(DiagnosticStatusWrapper& status) {
   const std::string publishers = text("publishers on that topic: ", now.publishers);
   const double silence = ros::WallTime::now().toSec() - now.last_arrival.toSec();
   const std::uint64_t refused = counts.refused() - last_counts_.refused();
-  const std::uint64_t incomplete = counts.missing_lengths + counts.missing_tensions + counts.unknown_names +
-                                   counts.impossible - last_counts_.missing_lengths - last_counts_.missing_tensions -
-                                   last_counts_.unknown_names - last_counts_.impossible;
-  if (now.last_arrival.isZero()) {
+  const std::uint64_t incomplete = counts.missing_lengths + counts.missing_tensions + counts.unknown_names -
+                                   last_counts_.missing_lengths - last_counts_.missing_tensions -
+                                   last_counts_.unknown_names;
+  const std::uint64_t impossible = counts.impossible - last_counts_.impossible;
+  if (isTimeMissing()) {
+    status.summary(DiagnosticStatus::ERROR, kNoTime);
+  } else if (now.last_arrival.isZero()) {
     status.summary(DiagnosticStatus::WARN, text("waiting for ", now.topic, ": nothing received; ", publishers));
   } else if (silence > std::max(max_age_, 1.0)) {
     status.summary(DiagnosticStatus::ERROR, text("nothing on ", now.topic, " for ", silence, " s; ", publishers));
@@ -41,6 +47,8 @@ void Diagnostics::input(DiagnosticStatusWrapper& status) {
     status.summary(DiagnosticStatus::WARN, text(refused, " messages refused; the last: ", now.last_problem));
   } else if (counts.time_jumps > last_counts_.time_jumps) {
     status.summary(DiagnosticStatus::WARN, "time went backwards; the estimator started anew");
+  } else if (impossible > 0) {
+    status.summary(DiagnosticStatus::WARN, text("measurements that cannot be are left out: ", now.last_problem));
   } else if (incomplete > 0) {
     status.summary(DiagnosticStatus::WARN, text("measurements are missing: ", now.last_problem));
   } else if (now.superseded > last_superseded_) {

@@ -46,7 +46,8 @@ KinetostaticsNode::KinetostaticsNode(const ros::NodeHandle& handle, const ros::N
     : private_handle_(private_handle),
       parameters_(fromServer(private_handle)),
       loop_(handle, parameters_),
-      diagnostics_(private_handle, loop_, parameters_) {
+      diagnostics_(private_handle, loop_, parameters_),
+      clock_watch_(private_handle) {
   using Forward = ForwardKinetostatics;
   using Inverse = InverseKinetostatics;
   using Reset = std_srvs::Trigger;

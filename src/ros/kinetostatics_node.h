@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "ros/clock_watch.h"
 #include "ros/diagnostics.h"
 #include "ros/estimator_loop.h"
 #include "ros/parameters.h"
@@ -24,6 +25,7 @@ class KinetostaticsNode {
   NodeParameters parameters_;
   EstimatorLoop loop_;
   Diagnostics diagnostics_;
+  ClockWatch clock_watch_;
   std::vector<ros::ServiceServer> servers_;
 };
 

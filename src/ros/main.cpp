@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     ros::AsyncSpinner spinner(kServiceThreads);
     spinner.start();
     ros::waitForShutdown();
-  } catch (const std::invalid_argument& problem) {
+  } catch (const std::exception& problem) {
     ROS_FATAL_STREAM(problem.what());
     return 1;
   }

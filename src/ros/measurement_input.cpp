@@ -5,6 +5,7 @@
 
 #include "cable/cable_checks.h"
 #include "cable/text.h"
+#include "ros/clock_watch.h"
 
 namespace cdpr_kinetostatics {
 
@@ -14,6 +15,29 @@ namespace {
 double secondsBetween(const ros::Time& from, const ros::Time& to) { return to.toSec() - from.toSec(); }
 
 }  // namespace
+
+// What is wrong with a message that is used all the same, of one kind: the first in words, the others counted.
+struct MeasurementInput::Problem {
+  std::string first;
+  int count = 0;
+
+  void add(const std::string& sentence) {
+    if (count++ == 0) first = sentence;
+  }
+  std::string sentence() const { return count == 1 ? first : text(first, "; and ", count - 1, " more like this"); }
+};
+
+// A measurement that cannot be is missing, too, but why it is says more.
+struct MeasurementInput::Problems {
+  Problem impossible, missing, unknown;
+
+  const Problem* worst() const {
+    for (const Problem* problem : {&impossible, &missing, &unknown}) {
+      if (problem->count > 0) return problem;
+    }
+    return nullptr;
+  }
+};
 
 MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age) : robot_(robot), max_age_(max_age) {}
 
@@ -60,6 +84,9 @@ bool MeasurementInput::hasRightShape(const sensor_msgs::JointState& message) {
 bool MeasurementInput::hasRightTime(const ros::Time& stamp, const ros::Time& now, bool* jumped) {
   clock_went_back_ |= now < last_now_;
   last_now_ = now;
+  if (now.isZero()) {
+    return refuse(&counts_.stale, kNoTime);
+  }
   if (stamp.isZero()) return refuse(&counts_.stale, "header.stamp is 0: expected the time of the measurement");
   const double age = secondsBetween(stamp, now);
   if (std::abs(age) > max_age_) {
@@ -77,42 +104,43 @@ bool MeasurementInput::hasRightTime(const ros::Time& stamp, const ros::Time& now
 void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableMeasurements* cables) {
   cables->lengths.assign(robot_.cables.size(), std::nullopt);
   cables->tensions.assign(robot_.cables.size(), std::nullopt);
-  const auto note = [&](std::uint64_t* count, const std::string& problem) {
-    ++*count;
-    last_problem_ = problem;
-  };
+  Problems problems;
   for (std::size_t k = 0; k < message.name.size(); ++k) {
     const auto same_name = [&](const CableDescription& cable) { return cable.name == message.name[k]; };
     const auto found = std::find_if(robot_.cables.begin(), robot_.cables.end(), same_name);
     if (found == robot_.cables.end()) {
-      note(&counts_.unknown_names, text("'", message.name[k], "' is not a cable of ", robot_.name));
+      ++counts_.unknown_names;
+      problems.unknown.add(text("'", message.name[k], "' is not a cable of ", robot_.name));
       continue;
     }
     const auto i = static_cast<std::size_t>(found - robot_.cables.begin());
     const double length = message.position[k];
-    const Status length_check = checkLength({"position", k, found->name}, length);
-    if (length_check.ok()) {
-      cables->lengths[i] = length;
-    } else if (!std::isnan(length)) {
-      note(&counts_.impossible, length_check.message);
-    }
+    cables->lengths[i] = read(length, checkLength({"position", k, found->name}, length), &problems);
     if (message.effort.empty()) continue;
     const double tension = message.effort[k];
-    const Status tension_check = checkWithin({"effort", k, found->name}, tension, kLargestForce, "N");
-    if (tension_check.ok()) {
-      cables->tensions[i] = tension;
-    } else if (!std::isnan(tension)) {
-      note(&counts_.impossible, tension_check.message);
-    }
+    cables->tensions[i] =
+        read(tension, checkWithin({"effort", k, found->name}, tension, kLargestForce, "N"), &problems);
   }
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     if (!cables->lengths[i]) {
-      note(&counts_.missing_lengths, text("no length of ", robot_.cables[i].name));
+      ++counts_.missing_lengths;
+      problems.missing.add(text("no length of ", robot_.cables[i].name));
     }
     if (!cables->tensions[i] && !message.effort.empty()) {
-      note(&counts_.missing_tensions, text("no tension of ", robot_.cables[i].name));
+      ++counts_.missing_tensions;
+      problems.missing.add(text("no tension of ", robot_.cables[i].name));
     }
   }
+  if (const Problem* worst = problems.worst()) last_problem_ = worst->sentence();
+}
+
+std::optional<double> MeasurementInput::read(double value, const Status& check, Problems* problems) {
+  if (check.ok()) return value;
+  if (!std::isnan(value)) {  // which stands for a measurement that is missing
+    ++counts_.impossible;
+    problems->impossible.add(check.message);
+  }
+  return std::nullopt;
 }
 
 std::optional<Measurement> MeasurementInput::check(const sensor_msgs::JointState& message, const ros::Time& now) {

@@ -57,10 +57,15 @@ class MeasurementInput {
   const std::string& lastProblem() const { return last_problem_; }
 
  private:
+  struct Problem;
+  struct Problems;
+
   bool refuse(std::uint64_t* count, const std::string& problem);
   bool hasRightShape(const sensor_msgs::JointState& message);
   bool hasRightTime(const ros::Time& stamp, const ros::Time& now, bool* jumped);
   void readCables(const sensor_msgs::JointState& message, CableMeasurements* cables);
+  // The value if it passed the check.
+  std::optional<double> read(double value, const Status& check, Problems* problems);
 
   const RobotDescription& robot_;
   const double max_age_;  // [s]

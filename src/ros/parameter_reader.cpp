@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "cable/text.h"
+#include "robot/yaml_number.h"
 
 namespace cdpr_kinetostatics {
 
@@ -17,13 +17,8 @@ std::optional<double> asNumber(const XmlRpcValue& value) {
       return static_cast<const int&>(value);
     case XmlRpcValue::TypeDouble:
       return static_cast<const double&>(value);
-    case XmlRpcValue::TypeString: {
-      const std::string& word = static_cast<const std::string&>(value);
-      char* end = nullptr;
-      const double number = std::strtod(word.c_str(), &end);
-      if (word.empty() || *end != '\0') return std::nullopt;
-      return number;
-    }
+    case XmlRpcValue::TypeString:
+      return readDecimal(static_cast<const std::string&>(value));
     default:
       return std::nullopt;
   }

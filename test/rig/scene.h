@@ -11,6 +11,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -49,7 +50,10 @@ class RigScene {
     listen<geometry_msgs::WrenchStamped>("platform_load", &loads);
     listen<KinetostaticState>("kinetostatic_state", &states);
     const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> on_diagnostics = [this](const auto& m) {
-      for (const auto& status : m.status) diagnostics[status.name] = status.message;
+      for (const auto& status : m.status) {
+        diagnostics[status.name] = status.message;
+        for (const auto& entry : status.values) diagnostic_values[status.name + ": " + entry.key] = entry.value;
+      }
     };
     subscribers_.push_back(handle_.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, on_diagnostics));
   }
@@ -60,10 +64,16 @@ class RigScene {
   }
   void killRig() { rig_.reset(); }
   void startNode() {
-    node_.reset();
-    node_ = std::make_unique<NodeProcess>(NODE_EXECUTABLE, arguments("kinetostatics"));
+    launchNode();
     EXPECT_TRUE(ros::service::waitForService(space_ + "/kinetostatics/reset", ros::Duration(60.0)));
   }
+  // Does not wait until its services are there.
+  void launchNode() {
+    node_.reset();
+    node_ = std::make_unique<NodeProcess>(NODE_EXECUTABLE, arguments("kinetostatics"));
+  }
+  NodeProcess& rig() { return *rig_; }
+  NodeProcess& node() { return *node_; }
   void start() {
     startNode();
     startRig();
@@ -71,6 +81,12 @@ class RigScene {
 
   std::string name(const std::string& what) const { return space_ + "/" + what; }
   ros::NodeHandle& handle() { return handle_; }
+
+  // What diagnostics say of a task, as "input".
+  std::string value(const std::string& task, const std::string& key) const {
+    const auto found = diagnostic_values.find(space_.substr(1) + "/kinetostatics: " + task + ": " + key);
+    return found == diagnostic_values.end() ? "" : found->second;
+  }
 
   bool waitForDiagnostics(const std::string& task, const std::string& words) {
     std::string& said = diagnostics[space_.substr(1) + "/kinetostatics: " + task];
@@ -83,6 +99,11 @@ class RigScene {
   bool waitForPoses(std::size_t count) {
     const std::size_t goal = poses.size() + count;
     return waitFor([&] { return poses.size() >= goal; });
+  }
+
+  // How many estimates have stamps between two times.
+  std::size_t posesBetween(const ros::Time& first, const ros::Time& last) const {
+    return static_cast<std::size_t>(std::distance(poses.lower_bound(first), poses.upper_bound(last)));
   }
 
   // Largest distance of an estimated position from the true one after `since` [m].
@@ -102,7 +123,7 @@ class RigScene {
   std::map<ros::Time, geometry_msgs::PoseWithCovarianceStamped> poses;
   std::map<ros::Time, geometry_msgs::WrenchStamped> loads;
   std::map<ros::Time, KinetostaticState> states;
-  std::map<std::string, std::string> diagnostics;
+  std::map<std::string, std::string> diagnostics, diagnostic_values;
 
  private:
   static XmlRpc::XmlRpcValue parameters(const std::string& robot, const std::string& common, const std::string& own) {

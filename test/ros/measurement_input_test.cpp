@@ -78,6 +78,35 @@ TEST_F(Input, MayMissMeasurements) {
   EXPECT_EQ(input_.counts().impossible, 2u);
 }
 
+TEST_F(Input, ZeroLengthsAreCalledZeroLengths) {
+  sensor_msgs::JointState m = message();
+  m.position.assign(m.position.size(), 0.0);
+  ASSERT_TRUE(check(m));
+  EXPECT_NE(input_.lastProblem().find("position[0] of cable 'cable0' is 0 m: expected"), std::string::npos)
+      << input_.lastProblem();
+  EXPECT_NE(input_.lastProblem().find("and 7 more like this"), std::string::npos) << input_.lastProblem();
+  EXPECT_EQ(input_.counts().impossible, 8u);
+  EXPECT_EQ(input_.counts().missing_lengths, 8u);
+}
+
+TEST_F(Input, WorstProblemIsTheOneThatIsTold) {
+  sensor_msgs::JointState m = message(0.0);
+  m.name[1] = "gripper";
+  ASSERT_TRUE(check(m));
+  EXPECT_NE(input_.lastProblem().find("no length of cable1"), std::string::npos) << input_.lastProblem();
+  m = message(0.1);
+  m.name[1] = "gripper";
+  m.effort[3] = std::numeric_limits<double>::infinity();
+  ASSERT_TRUE(check(m));
+  EXPECT_EQ(input_.lastProblem().find("effort[3] of cable 'cable3' is inf"), 0u) << input_.lastProblem();
+}
+
+TEST_F(Input, WithoutATimeIsRefusedAndSaysWhy) {
+  EXPECT_FALSE(input_.check(message(), ros::Time()));
+  EXPECT_NE(input_.lastProblem().find("nothing has come on /clock"), std::string::npos) << input_.lastProblem();
+  EXPECT_EQ(input_.counts().stale, 1u);
+}
+
 TEST_F(Input, MayHaveOtherNamesToo) {
   sensor_msgs::JointState m = message();
   m.name.push_back("gripper");

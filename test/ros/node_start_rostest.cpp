@@ -47,6 +47,18 @@ TEST(NodeStart, TellsWhatItLoadedAndOffers) {
   EXPECT_EQ(node.exitCode(), 0);
 }
 
+TEST(NodeStart, LaunchFileDeletesWhatAnotherRobotLeft) {
+  ros::param::set("/kinetostatics/robot/platform/com", std::vector<double>{0.1, 0.2, 0.3});
+  ros::param::set("/kinetostatics/tolerance", 1e-3);
+  NodeProcess launch("/usr/bin/env",
+                     {"roslaunch", "cdpr_kinetostatics", "kinetostatics.launch", "robot:=paper_point_mass"});
+  EXPECT_TRUE(launch.waitFor("/kinetostatics/solve_cable")) << launch.output();
+  EXPECT_FALSE(ros::param::has("/kinetostatics/robot/platform/com")) << "a point mass with a com is refused";
+  EXPECT_EQ(ros::param::param("/kinetostatics/tolerance", 0.0), 1e-8);
+  launch.interrupt();
+  EXPECT_EQ(launch.exitCode(), 0) << launch.output();
+}
+
 TEST(NodeStart, NeedsARobot) {
   ros::param::del("/no_robot");
   NodeProcess node("no_robot");

@@ -74,6 +74,13 @@ class NodeProcess {
   }
 
   void interrupt() const { kill(pid_, SIGINT); }
+  // Takes the processor away from it, and gives it back.
+  void pause() const { kill(pid_, SIGSTOP); }
+  void resume() const { kill(pid_, SIGCONT); }
+  bool isRunning() {
+    ended_ = ended_ || waitpid(pid_, nullptr, WNOHANG) != 0;
+    return !ended_;
+  }
   const std::string& output() const { return output_; }
 
  private:

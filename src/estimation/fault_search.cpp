@@ -117,12 +117,6 @@ bool explains(const MeasuredRobot& measured, const Candidate& candidate) {
   return adjusted.status.ok() && adjusted.weighted_squares < threshold * threshold * std::max(adjusted.redundancy, 1);
 }
 
-int count(const Selection& selection) {
-  return static_cast<int>(std::count(selection.lengths.begin(), selection.lengths.end(), true) +
-                          std::count(selection.tensions.begin(), selection.tensions.end(), true) +
-                          selection.load.count());
-}
-
 }  // namespace
 
 Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
@@ -167,11 +161,19 @@ Selection leftOut(const MeasuredRobot& measured, const Candidate& candidate) {
   return left_out;
 }
 
-bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate) {
+bool isNoise(const Candidate& candidate) {
   const Adjusted& adjusted = candidate.adjusted;
   const double mean = adjusted.redundancy;
-  return adjusted.status.ok() && adjusted.stable && count(leftOut(measured, candidate)) == 0 &&
+  return adjusted.status.ok() && adjusted.stable &&
          adjusted.weighted_squares <= mean + kImprobable * (std::sqrt(2.0 * mean) + 1.0);
+}
+
+bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate) {
+  return isNoise(candidate) && isSame(candidate.selection, measured.available);
+}
+
+bool isSame(const Selection& a, const Selection& b) {
+  return a.lengths == b.lengths && a.tensions == b.tensions && (a.load == b.load).all();
 }
 
 // A measurement that is left out must lower the sum of squares by what calls it a fault, threshold^2.

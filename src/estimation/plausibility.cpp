@@ -14,10 +14,13 @@ namespace {
 // cable in use has at least a third of the reach.
 constexpr double kTooLong = 12.0;
 
-// Most pairs of cables miss their anchors' distance by this factor: no rope stretches so far.
+// Most pairs of cables miss their anchors' distance by this factor, which no rope stretches, and most cables have less
+// than this share of their lengths at home: two cables are one pair, in which a single fault must not decide.
 constexpr double kTooShort = 1.5;
+constexpr double kShare = 0.5;
 
-// Tensions that sum up to less than this share of the weight carry no platform, even if some cells are dead.
+// Tensions that sum up to less than this share of the weight, that of the cables included, carry no platform, even if
+// some cells are dead.
 constexpr double kTooWeak = 0.2;
 
 // Most tensions above so many times the largest one allowed.
@@ -50,11 +53,12 @@ std::string lengthUnit(double factor) {
 }
 
 Status checkLengths(const RobotDescription& robot, const CableMeasurements& measurements) {
-  std::vector<double> lengths, chords, pairs;
+  std::vector<double> lengths, chords, shares, pairs;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     if (!measurements.lengths[i]) continue;
     lengths.push_back(*measurements.lengths[i]);
     chords.push_back(chord(robot.cables[i], robot.home));
+    shares.push_back(lengths.back() / chords.back());
     for (std::size_t k = 0; k < i; ++k) {
       if (!measurements.lengths[k]) continue;
       const double anchors = (robot.cables[i].anchor - robot.cables[k].anchor).norm();
@@ -64,10 +68,9 @@ Status checkLengths(const RobotDescription& robot, const CableMeasurements& meas
   }
   if (lengths.empty()) return {Code::kConverged, ""};
   const double typical = median(lengths);
-  const double reach =
-      std::max(robot.span(), *std::max_element(chords.begin(), chords.end())) + robot.platformRadius();
+  const double reach = std::max(robot.span(), *std::max_element(chords.begin(), chords.end())) + robot.platformRadius();
   const bool too_long = typical > kTooLong * reach;
-  const bool too_short = !pairs.empty() && median(pairs) > kTooShort;
+  const bool too_short = !pairs.empty() && median(pairs) > kTooShort && median(shares) < kShare;
   if (!too_long && !too_short) return {Code::kConverged, ""};
   std::ostringstream text;
   text << "the lengths cannot be this robot's in metres: most cables measure about " << typical << " m, ";
@@ -80,24 +83,26 @@ Status checkLengths(const RobotDescription& robot, const CableMeasurements& meas
   return {Code::kInvalidInput, text.str()};
 }
 
-// Every force that holds the platform up comes through a cable. At the platform a cable pulls with its tension at the
-// anchor and its weight at most.
+// The anchors hold up the platform and the cables.
 Status checkCarries(const RobotDescription& robot, const EstimatorOptions& options,
                     const CableMeasurements& measurements) {
-  double most = 0.0;
   double sum = 0.0;
+  double by_metre = 0.0;
+  std::vector<double> lengths;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     if (!measurements.tensions[i] || !measurements.lengths[i]) return {Code::kConverged, ""};
     sum += std::abs(*measurements.tensions[i]);
-    most += std::abs(*measurements.tensions[i]) + options.tension_stddev +
-            robot.cables[i].properties.weight * *measurements.lengths[i];
+    by_metre += robot.cables[i].properties.weight;
+    lengths.push_back(*measurements.lengths[i]);
   }
-  if (!options.known_load || most >= kTooWeak * robot.weight()) return {Code::kConverged, ""};
+  const double deviations = options.tension_stddev * static_cast<double>(robot.cables.size());
+  const double weight = robot.weight() + by_metre * median(lengths);
+  if (!options.known_load || sum + deviations >= kTooWeak * weight) return {Code::kConverged, ""};
   std::ostringstream text;
   text << "the tensions cannot be this robot's in newtons: they sum up to " << sum << " N, and the platform weighs "
        << robot.weight() << " N.";
-  // A taut robot's tensions sum up to one to thirty times its weight.
-  const double kilo = 1e3 * sum / robot.weight();
+  // A taut robot's tensions sum up to one to thirty times the weight.
+  const double kilo = 1e3 * sum / weight;
   if (kilo > 0.3 && kilo < 100.0) text << " Are they in kilonewtons?";
   return {Code::kInvalidInput, text.str()};
 }

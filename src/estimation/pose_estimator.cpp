@@ -69,13 +69,13 @@ std::vector<Model> adaptRungs(MeasuredRobot* measured, Candidate* candidate, con
 constexpr double kFarMove = 0.05;  // share of the robot's span
 constexpr double kFarTurn = 0.2;   // [rad]
 
+// Where measurements are left out, in one message after the other the same ones, a fresh start competes in one of so
+// many messages: it takes many times as long as following, and a wrong pose must not last for ten.
+constexpr int kFreshStart = 5;
+
 bool isFar(const RobotDescription& robot, const Pose& from, const Pose& to) {
   return (to.position - from.position).norm() > kFarMove * robot.span() ||
          to.orientation.angularDistance(from.orientation) > kFarTurn;
-}
-
-bool isSame(const Selection& a, const Selection& b) {
-  return a.lengths == b.lengths && a.tensions == b.tensions && (a.load == b.load).all();
 }
 
 bool isSameAnswer(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
@@ -105,7 +105,9 @@ class PoseEstimator::Tracker {
     Candidate best;
     int iterations = 0;
     bool warm_started = false;
+    std::vector<Model> rungs;   // of the best
     std::vector<Model> wanted;  // AUTO: rungs for the next message
+    bool followed = false;      // no fresh start competed
   };
 
   Estimate solve(MeasuredRobot* measured);
@@ -119,6 +121,7 @@ class PoseEstimator::Tracker {
   Pose near_;  // last pose, or the seed
   std::optional<RobotForces> last_;
   Selection left_out_;        // by the last estimate
+  int followed_ = 0;          // messages since a fresh start competed
   std::vector<Model> rungs_;  // AUTO: those in use; empty at first
 };
 
@@ -140,6 +143,8 @@ Estimate PoseEstimator::Tracker::update(const CableMeasurements& measurements) {
 
 Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
   Found found = find(measured);
+  measured->rungs = found.rungs;
+  followed_ = found.followed ? followed_ + 1 : 0;
   Status status = found.best.adjusted.status;
   if (Clock::now() > measured->deadline) {
     status = {Code::kTimedOut, "the time allowed ran out before it was certain which pose explains the measurements"};
@@ -154,7 +159,9 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
     near_ = last_->pose;
   } else {
     estimate.solution = refusedRobot(options_.model, status);
-    if (!last_) near_ = seed_;  // one step back at a time: another start may need less time
+    // One step back at a time: another start may need less time.
+    if (!last_ && isSame(near_, seed_)) seed_ = robot_.home;
+    if (!last_) near_ = seed_;
     last_.reset();
     rungs_.clear();
   }
@@ -163,8 +170,8 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
 }
 
 // The last estimate is only one of the starts. Unless its answer is beyond doubt, that of an estimator without a past
-// competes, and the measurements alone decide between them. Where they do not, the past counts if the answer continues
-// it: a short move, with the same measurements at fault.
+// competes, at the latest with the fifth message, and the measurements alone decide between them. Where they do not,
+// the past counts if the answer continues it: a short move, with the same measurements at fault.
 PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(MeasuredRobot* measured) const {
   Found found;
   bool continues = false;
@@ -173,10 +180,15 @@ PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(MeasuredRobot* measur
     const bool near = found.best.adjusted.status.ok() && !isFar(robot_, last_->pose, found.best.adjusted.unknowns.pose);
     if (near && isBeyondDoubt(*measured, found.best)) return found;
     continues = near && isSame(leftOut(*measured, found.best), left_out_);
+    if (continues && isNoise(found.best) && followed_ + 1 < kFreshStart) {
+      found.followed = true;
+      return found;
+    }
   }
   for (const Pose* seed : {&seed_, &robot_.home, &near_}) {
     const bool first = seed == &seed_;
     if (!first && (isSame(*seed, seed_) || isBeyondDoubt(*measured, found.best))) continue;
+    if (seed == &near_ && isNoise(found.best)) continue;
     Found fresh = afresh(measured, *seed);
     const int iterations = found.iterations + fresh.iterations;
     const bool better = continues || !first ? isBetter(*measured, fresh.best, found.best)
@@ -199,6 +211,7 @@ PoseEstimator::Tracker::Found PoseEstimator::Tracker::fromLast(MeasuredRobot* me
   found.iterations = found.best.adjusted.iterations;
   found.warm_started = true;
   if (choose) found.wanted = adaptRungs(measured, &found.best, rungs_);
+  found.rungs = measured->rungs;
   return found;
 }
 
@@ -213,12 +226,14 @@ PoseEstimator::Tracker::Found PoseEstimator::Tracker::afresh(MeasuredRobot* meas
     if (choose) found.wanted = adaptRungs(measured, &found.best, {});
     if (!choose || found.best.adjusted.status.ok()) break;
   }
+  found.rungs = measured->rungs;
   return found;
 }
 
 void PoseEstimator::Tracker::reset(const Pose& seed) {
   last_.reset();
   rungs_.clear();
+  followed_ = 0;
   seed_ = near_ = seed;
 }
 

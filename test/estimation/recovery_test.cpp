@@ -30,7 +30,8 @@ TEST_P(Recovery, FollowsAnySequenceOfHostileMessages) {
     const Estimate fresh = PoseEstimator(simulated.robot, simulated.estimator).update(good);
     ASSERT_EQ(last.solution.report.status.code, fresh.solution.report.status.code)
         << sequence << ": " << last.solution.report.status.message;
-    EXPECT_LT(poseError(last.solution.pose, fresh.solution.pose).norm(), 1e-6) << sequence;
+    const Wrench error = poseError(last.solution.pose, fresh.solution.pose);
+    EXPECT_LT(error.head(simulated.robot.freedoms()).norm(), 1e-6) << sequence;  // a point mass has no attitude
     EXPECT_EQ(last.length_outlier, fresh.length_outlier) << sequence;
     EXPECT_EQ(last.tension_outlier, fresh.tension_outlier) << sequence;
   }
@@ -56,7 +57,7 @@ TEST(RecoveryOfCoGiRo, FollowsThreeMessagesThatHeldItInAWrongPose) {
     EstimatorOptions options;
     options.model = model;
     options.load_stddev = EstimatorOptions::defaultLoadStddev(robot);
-    options.timeout = std::chrono::seconds(10);
+    options.timeout = std::chrono::seconds(1);  // which one of the bad messages uses up
     PoseEstimator estimator(robot, options);
     static_cast<void>(estimator.update(
         message({9.572856529, 10.36226032, 9.519963735, 9.5463946, 11.87916209, 8.906569599, 8.867131312, 10.16864433},

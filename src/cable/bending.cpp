@@ -90,7 +90,7 @@ std::optional<SafeStart> safeStart(const CableProperties& cable, double length, 
                                    const SolveLimits& limits) {
   PathPoint start{cable, x};
   const double light =
-      std::min(cable.bending_stiffness / std::pow(length, 3), kStretchByWeight * cable.axial_stiffness / length);
+      std::min(cable.bending_stiffness / (length * length * length), kStretchByWeight * cable.axial_stiffness / length);
   start.cable.weight = std::max(cable.weight, light);
   const std::optional<ForcesAtA> catenary = openCatenary(length, x, y, limits, &start);
   if (!catenary || !pullsAllAlong(start.cable, length, *catenary)) return std::nullopt;
@@ -167,7 +167,7 @@ bool onSaggingBranch(const MultipleShooting& shooting) {
 SolveOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
                                 const SolveLimits& limits, MultipleShooting* shooting) {
   if (std::isinf(cable.axial_stiffness) && std::hypot(x, y) >= length) return {cannotReach(length, std::hypot(x, y))};
-  const double feather = kFeather * cable.bending_stiffness / std::pow(length, 3);
+  const double feather = kFeather * cable.bending_stiffness / (length * length * length);
   if (cable.weight < feather && std::hypot(x, y) <= kCoinciding * length) {
     CableProperties light = cable;
     light.weight = feather;

@@ -47,8 +47,8 @@ Eigen::Vector2d layerEffect(const CableProperties& cable, double h, double u) {
   const double t2 = h * h + u * u;
   const double t = std::sqrt(t2);
   const double e = 1.0 + t / cable.axial_stiffness;
-  const double energy =
-      0.5 * std::pow(cable.bending_stiffness, 1.5) * cable.weight * cable.weight / (t2 * t2 * std::sqrt(t) * e * e);
+  const double energy = 0.5 * cable.bending_stiffness * std::sqrt(cable.bending_stiffness) * cable.weight *
+                        cable.weight / (t2 * t2 * std::sqrt(t) * e * e);
   const double decay = 4.5 / t2 + 2.0 / (t * cable.axial_stiffness * e);
   return {energy * h * (2.0 - decay * h * h), -energy * decay * h * h * u};
 }

@@ -58,7 +58,10 @@ double tautTension(const CableProperties& cable, double length, double x, double
   const double sag = chord / length * weight * weight / 24.0;
   double t = std::max(excess * cable.axial_stiffness, std::sqrt(sag / std::max(std::abs(excess), 1e-12)));
   if (!std::isfinite(t)) t = std::sqrt(sag / std::abs(excess));
-  t = std::max({t, std::cbrt(std::isfinite(cable.axial_stiffness) ? sag * cable.axial_stiffness : 0.0), 1e-300});
+  // The root without excess, EA times the cube root of a ratio: a cube root of newtons would round otherwise in
+  // kilonewtons.
+  const double ea = cable.axial_stiffness;
+  t = std::max({t, std::isfinite(ea) ? ea * std::cbrt(sag / (ea * ea)) : 0.0, 1e-300});
   for (int i = 0; i < 60; ++i) {  // increasing and concave in T from the right of the root: monotone after one step
     const double f = t / cable.axial_stiffness - sag / (t * t) - excess;
     const double df = 1.0 / cable.axial_stiffness + 2.0 * sag / (t * t * t);

@@ -15,18 +15,18 @@ inline constexpr double kShortestLength = 1e-6;
 // Forces, tensions and weights per metre [N, N/m], moments [N m]. The strongest rope carries 1e8 N.
 inline constexpr double kLargestForce = 1e12;
 
-// Axial stiffness [N], if it is not infinite. A thread of rubber of a tenth of a millimetre has 1e-2 N, a bar of steel
-// of eighty metres 1e15 N. Under forces of newtons a softer cable would be stretched by more than its length's
+// Axial stiffness [N], if it is not infinite. A thread of rubber of twenty micrometres has 3e-4 N, a bar of steel of
+// eighty metres 1e15 N. Under forces of newtons a softer cable would be stretched by more than its length's
 // thousandfold.
-inline constexpr double kLeastAxialStiffness = 1e-3;
+inline constexpr double kLeastAxialStiffness = 2e-4;
 inline constexpr double kLargestAxialStiffness = 1e18;
 
 // Bending stiffness [N m^2], if it is not zero. Spider silk has 1e-14, a bar of steel of a hundred metres 1e18.
 inline constexpr double kLeastBendingStiffness = 1e-24;
 inline constexpr double kLargestBendingStiffness = 1e20;
 
-// Weight per metre [N/m] of a cable, if it is not zero: a single chain of carbon atoms weighs 1e-12 on the Earth. Weight
-// of a platform [N]: a grain of pollen weighs 1e-10. The largest is kLargestForce.
+// Weight per metre [N/m] of a cable, if it is not zero: a single chain of carbon atoms weighs 1e-12 on the Earth.
+// Weight of a platform [N]: a grain of pollen weighs 1e-10. The largest is kLargestForce.
 inline constexpr double kLeastWeight = 1e-18;
 
 // Acceleration of gravity [m/s^2]: that of a neutron star is 1e12, of an asteroid of some metres 1e-7.

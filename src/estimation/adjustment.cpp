@@ -94,7 +94,16 @@ class Adjustment {
     }
   }
 
+  // Ceres would log an error where the block cannot be evaluated at the start, even if it is told to be silent; the
+  // report says it instead.
   Status solve(Clock::time_point deadline, int* iterations) {
+    const std::vector<const double*> start = {position_.data(), orientation_.coeffs().data(), densities_.data()};
+    std::vector<double> residuals(static_cast<std::size_t>(block_->num_residuals()));
+    if (!block_->Evaluate(start.data(), residuals.data(), nullptr)) {
+      return {Code::kNotConverged,
+              "the cables cannot be closed where the search for the pose starts: check the robot's description and "
+              "units"};
+    }
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;

@@ -20,6 +20,13 @@ constexpr double kJump = 10.0;
 constexpr double kPlausible = 1.0;
 constexpr int kWitnesses = 4;
 
+// A sum of squares more than so many standard deviations above its mean is not noise (one in 1e5 for 8 redundant
+// measurements).
+constexpr double kImprobable = 5.0;
+
+// Answers whose sums of squares differ by less are equally good. What AUTO's models may neglect changes them by less.
+constexpr double kIndistinct = 0.1;
+
 // A residual in units of its own standard deviation; 0 if the others cannot check it.
 double statistic(const Observation& o) {
   return o.redundancy >= kTestable ? std::abs(o.residual) / std::sqrt(o.redundancy) : 0.0;
@@ -110,12 +117,6 @@ bool explains(const MeasuredRobot& measured, const Candidate& candidate) {
   return adjusted.status.ok() && adjusted.weighted_squares < threshold * threshold * std::max(adjusted.redundancy, 1);
 }
 
-int count(const Selection& selection) {
-  return static_cast<int>(std::count(selection.lengths.begin(), selection.lengths.end(), true) +
-                          std::count(selection.tensions.begin(), selection.tensions.end(), true) +
-                          selection.load.count());
-}
-
 }  // namespace
 
 Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
@@ -160,19 +161,33 @@ Selection leftOut(const MeasuredRobot& measured, const Candidate& candidate) {
   return left_out;
 }
 
-bool isTrusted(const MeasuredRobot& measured, const Candidate& candidate) {
-  return explains(measured, candidate) && candidate.adjusted.stable &&
-         count(leftOut(measured, candidate)) <= candidate.adjusted.redundancy;
+bool isNoise(const Candidate& candidate) {
+  const Adjusted& adjusted = candidate.adjusted;
+  const double mean = adjusted.redundancy;
+  return adjusted.status.ok() && adjusted.stable &&
+         adjusted.weighted_squares <= mean + kImprobable * (std::sqrt(2.0 * mean) + 1.0);
 }
 
+bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate) {
+  return isNoise(candidate) && isSame(candidate.selection, measured.available);
+}
+
+bool isSame(const Selection& a, const Selection& b) {
+  return a.lengths == b.lengths && a.tensions == b.tensions && (a.load == b.load).all();
+}
+
+// A measurement that is left out must lower the sum of squares by what calls it a fault, threshold^2.
 bool isBetter(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
   const auto rank = [&](const Candidate& c) {
     const Adjusted& adjusted = c.adjusted;
     const bool tried = adjusted.status.code != Code::kUnset;
-    return std::make_tuple(tried, adjusted.status.ok(), explains(measured, c), adjusted.stable, adjusted.redundancy,
-                           -adjusted.weighted_squares);
+    return std::make_tuple(tried, adjusted.status.ok(), explains(measured, c), adjusted.stable);
   };
-  return rank(a) > rank(b);
+  const auto cost = [&](const Candidate& c) {
+    return c.adjusted.weighted_squares - std::pow(measured.options.outlier_threshold, 2) * c.adjusted.redundancy;
+  };
+  if (rank(a) != rank(b)) return rank(a) > rank(b);
+  return cost(a) < cost(b) - kIndistinct;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -18,10 +18,16 @@ Candidate adjustFrom(const MeasuredRobot& measured, const RobotForces& last, con
 // What the candidate leaves out of all that was measured or is known.
 Selection leftOut(const MeasuredRobot& measured, const Candidate& candidate);
 
-// A stable pose that explains the measurements within what the threshold lets pass, with most of the redundancy intact.
-bool isTrusted(const MeasuredRobot& measured, const Candidate& candidate);
+// A stable pose that explains what is not left out as well as noise lets measurements be explained.
+bool isNoise(const Candidate& candidate);
 
-// Whether a is the better answer to the same measurements.
+// The same, of all that was measured. No other start need then be tried. Any answer less than that may be owed to the
+// start.
+bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate);
+
+bool isSame(const Selection& a, const Selection& b);
+
+// Whether a is the better answer to the same measurements. How they were found plays no part.
 bool isBetter(const MeasuredRobot& measured, const Candidate& a, const Candidate& b);
 
 }  // namespace cdpr_kinetostatics

@@ -7,6 +7,7 @@
 #include "estimation/estimate_error.h"
 #include "estimation/estimate_report.h"
 #include "estimation/fault_search.h"
+#include "estimation/plausibility.h"
 #include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
@@ -64,6 +65,28 @@ std::vector<Model> adaptRungs(MeasuredRobot* measured, Candidate* candidate, con
   return wanted;
 }
 
+// The platform has moved so far since the last message that the last pose says little of this one.
+constexpr double kFarMove = 0.05;  // share of the robot's span
+constexpr double kFarTurn = 0.2;   // [rad]
+
+// Where measurements are left out, in one message after the other the same ones, a fresh start competes in one of so
+// many messages: it takes many times as long as following, and a wrong pose must not last for ten.
+constexpr int kFreshStart = 5;
+
+bool isFar(const RobotDescription& robot, const Pose& from, const Pose& to) {
+  return (to.position - from.position).norm() > kFarMove * robot.span() ||
+         to.orientation.angularDistance(from.orientation) > kFarTurn;
+}
+
+bool isSameAnswer(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
+  return a.adjusted.status.ok() && b.adjusted.status.ok() && isSame(leftOut(measured, a), leftOut(measured, b)) &&
+         !isFar(measured.robot, a.adjusted.unknowns.pose, b.adjusted.unknowns.pose);
+}
+
+bool isSame(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
 }  // namespace
 
 // The estimator's memory: what it found last, and where it looks first.
@@ -82,11 +105,15 @@ class PoseEstimator::Tracker {
     Candidate best;
     int iterations = 0;
     bool warm_started = false;
+    std::vector<Model> rungs;   // of the best
+    std::vector<Model> wanted;  // AUTO: rungs for the next message
+    bool followed = false;      // no fresh start competed
   };
 
   Estimate solve(MeasuredRobot* measured);
-  Found find(const MeasuredRobot& measured) const;
-  Found findOnRungs(MeasuredRobot* measured);
+  Found find(MeasuredRobot* measured) const;
+  Found fromLast(MeasuredRobot* measured) const;
+  Found afresh(MeasuredRobot* measured, const Pose& seed) const;
 
   const RobotDescription& robot_;
   const EstimatorOptions options_;
@@ -94,12 +121,14 @@ class PoseEstimator::Tracker {
   Pose near_;  // last pose, or the seed
   std::optional<RobotForces> last_;
   Selection left_out_;        // by the last estimate
+  int followed_ = 0;          // messages since a fresh start competed
   std::vector<Model> rungs_;  // AUTO: those in use; empty at first
 };
 
 Estimate PoseEstimator::Tracker::update(const CableMeasurements& measurements) {
   const Clock::time_point begin = Clock::now();
-  const Status check = checkMeasurements(robot_, measurements);
+  Status check = checkMeasurements(robot_, measurements);
+  if (check.ok()) check = checkPlausible(robot_, options_, measurements);
   Estimate estimate;
   if (check.ok()) {
     const Clock::time_point deadline = deadlineAfter(options_.timeout);
@@ -113,7 +142,9 @@ Estimate PoseEstimator::Tracker::update(const CableMeasurements& measurements) {
 }
 
 Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
-  Found found = findOnRungs(measured);
+  Found found = find(measured);
+  measured->rungs = found.rungs;
+  followed_ = found.followed ? followed_ + 1 : 0;
   Status status = found.best.adjusted.status;
   if (Clock::now() > measured->deadline) {
     status = {Code::kTimedOut, "the time allowed ran out before it was certain which pose explains the measurements"};
@@ -124,54 +155,85 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
     estimate.warm_started = found.warm_started;
     last_ = found.best.adjusted.unknowns;
     left_out_ = leftOut(*measured, found.best);
+    rungs_ = found.wanted;
     near_ = last_->pose;
   } else {
     estimate.solution = refusedRobot(options_.model, status);
-    if (!last_) near_ = seed_;  // one step back at a time: another start may need less time
+    // One step back at a time: another start may need less time.
+    if (!last_ && isSame(near_, seed_)) seed_ = robot_.home;
+    if (!last_) near_ = seed_;
     last_.reset();
+    rungs_.clear();
   }
   estimate.solution.report.iterations = found.iterations;
   return estimate;
 }
 
-// On the model asked for. AUTO starts on those of the last estimate, or on catenaries, and goes on to what the
-// measurements need; where that finds no pose, every cable bends.
-PoseEstimator::Tracker::Found PoseEstimator::Tracker::findOnRungs(MeasuredRobot* measured) {
+// The last estimate is only one of the starts. Unless its answer is beyond doubt, that of an estimator without a past
+// competes, at the latest with the fifth message, and the measurements alone decide between them. Where they do not,
+// the past counts if the answer continues it: a short move, with the same measurements at fault.
+PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(MeasuredRobot* measured) const {
+  Found found;
+  bool continues = false;
+  if (last_) {
+    found = fromLast(measured);
+    const bool near = found.best.adjusted.status.ok() && !isFar(robot_, last_->pose, found.best.adjusted.unknowns.pose);
+    if (near && isBeyondDoubt(*measured, found.best)) return found;
+    continues = near && isSame(leftOut(*measured, found.best), left_out_);
+    if (continues && isNoise(found.best) && followed_ + 1 < kFreshStart) {
+      found.followed = true;
+      return found;
+    }
+  }
+  for (const Pose* seed : {&seed_, &robot_.home, &near_}) {
+    const bool first = seed == &seed_;
+    if (!first && (isSame(*seed, seed_) || isBeyondDoubt(*measured, found.best))) continue;
+    if (seed == &near_ && isNoise(found.best)) continue;
+    Found fresh = afresh(measured, *seed);
+    const int iterations = found.iterations + fresh.iterations;
+    const bool better = continues || !first ? isBetter(*measured, fresh.best, found.best)
+                                            : !isBetter(*measured, found.best, fresh.best);
+    if (better) {
+      fresh.warm_started = found.warm_started && isSameAnswer(*measured, found.best, fresh.best);
+      found = std::move(fresh);
+    }
+    found.iterations = iterations;
+  }
+  return found;
+}
+
+PoseEstimator::Tracker::Found PoseEstimator::Tracker::fromLast(MeasuredRobot* measured) const {
   const bool choose = options_.model == Model::kAuto;
   measured->rungs = rungs_;
   if (rungs_.empty()) measured->rungs.assign(robot_.cables.size(), choose ? Model::kCatenary : options_.model);
-  Found found = find(*measured);
-  if (!choose) return found;
-  rungs_ = adaptRungs(measured, &found.best, rungs_);
-  if (found.best.adjusted.status.ok()) return found;
-  rungs_.clear();
-  measured->rungs.assign(robot_.cables.size(), Model::kBending);
-  return find(*measured);
+  Found found;
+  found.best = adjustFrom(*measured, *last_, left_out_);
+  found.iterations = found.best.adjusted.iterations;
+  found.warm_started = true;
+  if (choose) found.wanted = adaptRungs(measured, &found.best, rungs_);
+  found.rungs = measured->rungs;
+  return found;
 }
 
-// From the last estimate if there is one; from its pose, then from the seed, if there is none or if it has misled.
-PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(const MeasuredRobot& measured) const {
+// AUTO starts on catenaries and goes on to what the measurements need; where that finds no pose, every cable bends.
+PoseEstimator::Tracker::Found PoseEstimator::Tracker::afresh(MeasuredRobot* measured, const Pose& seed) const {
+  const bool choose = options_.model == Model::kAuto;
   Found found;
-  if (last_) {
-    found.best = adjustFrom(measured, *last_, left_out_);
-    found.warm_started = true;
-    found.iterations = found.best.adjusted.iterations;
+  for (const Model model : {choose ? Model::kCatenary : options_.model, Model::kBending}) {
+    measured->rungs.assign(robot_.cables.size(), model);
+    found.best = leaveOutFaults(*measured, coldStart(*measured, seed, &found.iterations), measured->available);
+    found.iterations += found.best.adjusted.iterations;
+    if (choose) found.wanted = adaptRungs(measured, &found.best, {});
+    if (!choose || found.best.adjusted.status.ok()) break;
   }
-  const bool moved = near_.position != seed_.position || near_.orientation.coeffs() != seed_.orientation.coeffs();
-  for (const Pose* seed : {&near_, &seed_}) {
-    if (isTrusted(measured, found.best) || (seed == &seed_ && !moved)) break;
-    Candidate cold = leaveOutFaults(measured, coldStart(measured, *seed, &found.iterations), measured.available);
-    found.iterations += cold.adjusted.iterations;
-    if (!isBetter(measured, cold, found.best)) continue;
-    found.best = std::move(cold);
-    found.warm_started = false;
-  }
+  found.rungs = measured->rungs;
   return found;
 }
 
 void PoseEstimator::Tracker::reset(const Pose& seed) {
   last_.reset();
   rungs_.clear();
+  followed_ = 0;
   seed_ = near_ = seed;
 }
 

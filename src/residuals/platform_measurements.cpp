@@ -122,6 +122,7 @@ bool PlatformMeasurements::Evaluate(double const* const* parameters, double* res
   addLengths(&rows);
   addTensions(&rows);
   addLoad(&rows);
+  if (!rows.residuals.allFinite() || !rows.by_pose.allFinite() || !rows.by_density.allFinite()) return false;
   if (jacobians == nullptr) return true;
   if (jacobians[0] != nullptr) Eigen::Map<RowMajor>(jacobians[0], count, 3) = rows.by_pose.leftCols<3>();
   if (jacobians[1] != nullptr) {

@@ -55,7 +55,7 @@ class PlatformMeasurements : public ceres::DynamicCostFunction {
   PlatformMeasurements(const Platform& platform, const std::vector<Cable>& cables, const Wrench& load_weight,
                        double tolerance);
 
-  // False where a cable cannot be closed: a solver then rejects its step.
+  // False where a cable cannot be closed or numbers overflow: a solver then rejects its step.
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
   // As of the last evaluation, which must have succeeded.

@@ -1,3 +1,4 @@
+// This file is longer than 300 lines because a solve and the path that follows it work on one state.
 #include "robot/forward_solve.h"
 
 #include <algorithm>

@@ -9,8 +9,9 @@ namespace {
 // A reciprocal condition number below this leaves no digit of a displacement right.
 constexpr double kSingular = 1e-15;
 
-// Singular values of less than this share of the largest are the rounding of a motion that nothing resists.
-constexpr double kOpen = 1e-12;
+// Singular values of less than this share of the largest are its rounding.
+constexpr double kRounding = 1e-12;
+constexpr double kOpenShare = 1e-7;
 
 }  // namespace
 
@@ -46,11 +47,16 @@ bool LinearRobot::factoriseWithOpenMotions() {
   if (!stiffness_.allFinite()) return false;
   const Eigen::JacobiSVD<Stiffness> svd(scaled(), Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Wrench& values = svd.singularValues();
-  if (!(values(0) > 0.0)) return false;
-  const Wrench inverse = (values.array() > kOpen * values(0)).select(values.cwiseInverse(), 0.0);
+  const double rounding = kRounding * values(0);
+  if (((values.array() <= rounding) && (values.array() > openStiffness(robot_))).any()) return false;
+  const Wrench inverse = (values.array() > rounding).select(values.cwiseInverse(), 0.0);
   pseudo_inverse_ = svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose();
   has_open_motions_ = true;
   return true;
+}
+
+double openStiffness(const RobotDescription& robot) {
+  return kOpenShare * robot.weight() / (robot.freedoms() == 6 ? robot.lever() : robot.span());
 }
 
 bool isStable(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness) {

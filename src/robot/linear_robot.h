@@ -31,7 +31,8 @@ class LinearRobot {
   bool factorise();
 
   // After factorise() has failed: leaves alone the motions that nothing resists, so that displacement() is the shortest
-  // one. A wrench along such a motion stays unbalanced. False where the stiffness is not finite, or zero.
+  // one. A wrench along such a motion stays unbalanced. False where the stiffness is not finite, and where something
+  // resists so much more than the weight that its rounding hides the weight.
   bool factoriseWithOpenMotions();
 
   // Where unbalanced wrenches, the columns, take the platform: translation, and rotation times lever() [m]. Needs one
@@ -60,6 +61,10 @@ class LinearRobot {
   bool has_open_motions_ = false;
   Stiffness pseudo_inverse_ = Stiffness::Zero();  // if it has
 };
+
+// A stiffness below this counts as none, for a motion whose rotations count with the lever: a ten-millionth of what the
+// weight makes of a turn of 1 rad, which is what the tolerance of a solve leaves of zero [N/m].
+double openStiffness(const RobotDescription& robot);
 
 // True if no motion of the platform is unstable: the symmetric part of the stiffness is negative definite.
 bool isStable(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness);

@@ -12,10 +12,6 @@ namespace {
 // A stiffness of less than this share of the largest is the rounding of the others.
 constexpr double kRounding = 1e-10;
 
-// And one of less than this share of the weight divided by the lever, what the weight makes of a turn of 1 rad, is
-// what the tolerance of the solve leaves of zero.
-constexpr double kNeutralByWeight = 1e-7;
-
 // Parts of a motion below this share are left out of the sentence.
 constexpr double kNamed = 1e-3;
 
@@ -49,7 +45,7 @@ PlatformStability platformStability(const RobotDescription& robot, const LinearR
   const LinearRobot::Stiffness scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
   using MatrixOfFreedoms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
   const MatrixOfFreedoms hessian = -0.5 * (scaled + scaled.transpose()).topLeftCorner(n, n);
-  const double zero_by_weight = kNeutralByWeight * robot.weight() / (n == 6 ? robot.lever() : robot.span());
+  const double zero_by_weight = openStiffness(robot);
   // Most platforms are stable, and this is ten times as fast as their eigenvalues: the norm is no less than any.
   const double certain = std::max(kRounding * hessian.norm(), zero_by_weight);
   if ((hessian - certain * MatrixOfFreedoms::Identity(n, n)).llt().info() == Eigen::Success) return stability;

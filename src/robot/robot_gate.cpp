@@ -13,6 +13,9 @@ namespace {
 // by its step, and each of several cables adds its own.
 constexpr double kShare = 10.0;
 
+// Moments of a small platform come from cables that are as long as the span: its share is their arm, too.
+constexpr double kShareOfSpan = 0.1;
+
 // Positions are known to this share of themselves, ten roundings of a double. A stiff cable makes a force of it.
 constexpr double kRounding = 1e-14;
 
@@ -42,17 +45,17 @@ bool isFinite(const RobotSolution& solution) {
 }  // namespace
 
 Status balanceVerdict(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external,
-                      double tolerance) {
+                      double tolerance, double solver_force) {
   const RobotReport& report = solution.report;
-  const double force = acceptedImbalance(robot, solution, external, tolerance);
-  const double moment = force * (robot.lever() + robot.com.norm());
+  const double force = acceptedImbalance(robot, solution, external, tolerance) + solver_force;
+  const double moment = force * (robot.lever() + robot.com.norm() + kShareOfSpan * robot.span());
   if (report.force_residual <= force && report.moment_residual <= moment) return {Code::kConverged, ""};
   return {Code::kNotConverged, text("the tensions found do not balance the platform: ", report.force_residual,
                                     " N and ", report.moment_residual, " N m are left over")};
 }
 
-Status verdictOf(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external,
-                 double tolerance) {
+Status verdictOf(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external, double tolerance,
+                 double solver_force) {
   if (!isFinite(solution)) {
     return {Code::kNotConverged,
             "the robot's numbers do not fit into a double: its cables are too soft, too stiff or "
@@ -65,7 +68,7 @@ Status verdictOf(const RobotDescription& robot, const RobotSolution& solution, c
               text("cable '", result.name, "' ends ", cable.closure_residual, " m away from its attachment")};
     }
   }
-  return balanceVerdict(robot, solution, external, tolerance);
+  return balanceVerdict(robot, solution, external, tolerance, solver_force);
 }
 
 }  // namespace cdpr_kinetostatics

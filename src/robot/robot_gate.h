@@ -11,11 +11,14 @@ namespace cdpr_kinetostatics {
 // Whether the solution, whose residuals assemble() has summed anew, is an answer to the tolerance: all of its numbers
 // are finite, every cable ends at its attachment, and forces and moments balance. CONVERGED without a word, or the code
 // and the sentence that it deserves. Whatever its own status says is not looked at.
-Status verdictOf(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external,
-                 double tolerance);
+//
+// solver_force [N]: what the solver's own tolerance of the pose makes of stiff cables, where it stops by the pose
+// alone.
+Status verdictOf(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external, double tolerance,
+                 double solver_force = 0.0);
 
 // The part of it that looks at the balance alone.
 Status balanceVerdict(const RobotDescription& robot, const RobotSolution& solution, const Wrench& external,
-                      double tolerance);
+                      double tolerance, double solver_force = 0.0);
 
 }  // namespace cdpr_kinetostatics

@@ -154,7 +154,7 @@ SearchOutcome SpringPlatform::newton(const std::vector<Spring>& springs, double 
     const Pose moved = displaced(*pose, move.step.head<3>(), move.step.tail<3>());
     const Local there = at(moved, springs);
     const double gained = gain(here, there, move.step.tail<3>());
-    const bool tiny = move.translation < 0.01 * tolerance && move.rotation < 0.01 * tolerance;
+    const bool tiny = move.translation < kSettled * tolerance && move.rotation < kSettled * tolerance;
     // Below the energy's rounding the wrench decides, and where it no longer falls the pose is found.
     const double promised = here.wrench.dot(move.step);
     const bool at_rounding = tiny || promised < rounding(here);

@@ -30,6 +30,9 @@ class SpringPlatform {
   // Robot and wrench must outlive the object.
   SpringPlatform(const RobotDescription& robot, const Wrench* external) : robot_(robot), external_(external) {}
 
+  // The descent has settled where the pose moves by less than this share of the tolerance.
+  static constexpr double kSettled = 0.01;
+
   struct Local {
     double energy = 0.0;  // [J], without the external torque, whose work depends on the path
     Wrench wrench = Wrench::Zero();

@@ -154,7 +154,10 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
   if (tensions.empty()) {
     const auto local = SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs);
     if (options.compute_stiffness) solution.stiffness = local.stiffness;
-    verdict = verdictOf(robot, solution, request.external_wrench, options.tolerance);
+    double stiffness = 0.0;
+    for (const Spring& spring : springs) stiffness += spring.stiffness;
+    verdict = verdictOf(robot, solution, request.external_wrench, options.tolerance,
+                        SpringPlatform::kSettled * options.tolerance * robot.span() * stiffness);
     if (verdict.ok()) verdict = describeStability(robot, platformStability(robot, local.stiffness));
   } else {
     verdict = leastSquaresVerdict(robot, solution, request.external_wrench, options.tolerance);

@@ -40,8 +40,11 @@ void findMultipliers(const TensionProblem& problem, TensionDistribution* distrib
   const Eigen::VectorXd compliance =
       problem.weight.cwiseInverse().cwiseProduct((weight.array() > 0.0).cast<double>().matrix());
   const Eigen::VectorXd right = weight.cwiseProduct(distribution->tensions - problem.preferred);
-  distribution->multipliers =
-      (compliance.asDiagonal() * problem.matrix.transpose()).completeOrthogonalDecomposition().solve(right);
+  // Each column by its own size: forces and moments are not to be compared.
+  Eigen::MatrixXd scaled = compliance.asDiagonal() * problem.matrix.transpose();
+  const Eigen::VectorXd sizes = scaled.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min());
+  scaled = scaled * sizes.cwiseInverse().asDiagonal();
+  distribution->multipliers = scaled.completeOrthogonalDecomposition().solve(right).cwiseQuotient(sizes);
   distribution->largest_push = (problem.weight.cwiseAbs2().cwiseProduct(distribution->tensions - problem.preferred) -
                                 problem.matrix.transpose() * distribution->multipliers)
                                    .cwiseAbs()

@@ -38,11 +38,12 @@ YamlScalar numberScalar(Kind kind, double number) {
   return scalar;
 }
 
+// ROS passes whole numbers of 32 bits on and roslaunch refuses larger ones, so that a modulus of 200000000000 has one
+// meaning: that of 2.0e+11.
 YamlScalar wholeScalar(double number) {
-  if (!(number >= -kMostWhole && number < kMostWhole)) {
-    return refused("a whole number of 32 bits, which is all that ROS passes on; with a point it may be larger");
-  }
-  return numberScalar(Kind::kWholeNumber, number + 0.0);  // without the sign of -0
+  if (std::isnan(number)) return refused("digits after 0x or 0b");
+  const bool fits = number >= -kMostWhole && number < kMostWhole;
+  return numberScalar(fits ? Kind::kWholeNumber : Kind::kNumber, number + 0.0);  // without the sign of -0
 }
 
 YamlScalar angleScalar(const std::optional<double>& angle) {

@@ -111,7 +111,9 @@ void Diagnostics::estimate(DiagnosticStatusWrapper& status) {
     status.summary(DiagnosticStatus::OK, "no estimate yet");
     return;
   }
-  if (now.unobservable_directions > 0) {
+  if (now.recent_failures > 0 && now.recent_failures == now.recent_solves) {
+    status.summary(DiagnosticStatus::WARN, "no estimate now: " + now.last_failure);
+  } else if (now.unobservable_directions > 0) {
     status.summary(DiagnosticStatus::WARN,
                    text("the measurements leave ", now.unobservable_directions, " directions of the pose unknown"));
   } else if (!outliers.empty()) {

@@ -84,7 +84,7 @@ TEST(InvalidInput, ValuesThatNoCableHas) {
     for (const double bad : {1e-160, 1e-4, 1e19, 1e300}) {
       Request spoiled;
       spoiled.cable.axial_stiffness = bad;
-      expectRefusal(spoiled, problem, Code::kInvalidInput, "0.001 N to 1e+18 N");
+      expectRefusal(spoiled, problem, Code::kInvalidInput, "0.0002 N to 1e+18 N");
     }
     for (const double bad : {1e-300, 1e-25, 1e21, 1e300}) {
       Request spoiled;

@@ -58,7 +58,9 @@ TEST(ShootingMesh, CoversTheCableWithoutGaps) {
       if (static_cast<int>(mesh.intervals().size()) > kMaxSegments) continue;  // refused by who shoots
       expectCover(mesh);
       for (const MeshInterval& interval : mesh.intervals()) {
-        if (!interval.quiet) EXPECT_LT(layersOf(interval, layers), 1.01 * kLayersPerSegment);
+        if (!interval.quiet) {
+          EXPECT_LT(layersOf(interval, layers), 1.01 * kLayersPerSegment);
+        }
       }
     }
   }

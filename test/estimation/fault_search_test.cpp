@@ -25,7 +25,8 @@ TEST(FaultSearch, LeavesOutTheFaultyMeasurementAndNoOther) {
       EXPECT_EQ(left_out.tensions[k], k == i) << i << " " << k;
     }
     EXPECT_FALSE(left_out.load.any()) << i;
-    EXPECT_TRUE(isTrusted(measured, found));
+    EXPECT_TRUE(isNoise(found));
+    EXPECT_FALSE(isBeyondDoubt(measured, found));
   }
 }
 
@@ -43,6 +44,26 @@ TEST(FaultSearch, TakesBackWhatWasLeftOutAndAgreesNow) {
   EXPECT_EQ(std::count(left_out.lengths.begin(), left_out.lengths.end(), true), 0);
   EXPECT_EQ(std::count(left_out.tensions.begin(), left_out.tensions.end(), true), 0);
   EXPECT_FALSE(left_out.load.any());
+}
+
+// Only what is stable, leaves nothing out and has no more squares than noise makes needs no other start beside it.
+TEST(FaultSearch, DoubtsWhatDoesNotExplainAll) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  const CableMeasurements measurements = simulated.measure(simulated.truth, 1.0);
+  const MeasuredRobot measured = measuredBy(simulated, measurements);
+  const Candidate good = leaveOutFaults(measured, truthOf(simulated), measured.available);
+  EXPECT_TRUE(isNoise(good));
+  EXPECT_TRUE(isBeyondDoubt(measured, good));
+  Candidate doubtful = good;
+  doubtful.adjusted.stable = false;
+  EXPECT_FALSE(isNoise(doubtful));
+  doubtful = good;
+  doubtful.adjusted.weighted_squares = 8.0 + 6.0 * std::sqrt(16.0) + 5.0;  // of 8 redundant measurements
+  EXPECT_FALSE(isNoise(doubtful));
+  doubtful = good;
+  doubtful.selection.lengths[2] = false;
+  EXPECT_TRUE(isNoise(doubtful));
+  EXPECT_FALSE(isBeyondDoubt(measured, doubtful));
 }
 
 // In this order: an answer at all, one that explains the measurements, stability, redundancy, sum of squares.

@@ -49,11 +49,17 @@ TEST_P(EveryModelClosed, EndsAtTheAttachment) {
   CableSolverOptions options;
   options.model = GetParam();
   options.tolerance = kTolerance;
+  int refused = 0;  // cables that bend by more than a first-order effect
   for (int i = 0; i < kStates; ++i) {
     Start start = next();
     ASSERT_TRUE(start.closed.close(start.pose, start.density)) << "state " << i;
     const Eigen::Vector3d found = stateOf(start.closed);
     const CableSolution cable = findPosition(start.state.cable, found.z(), found.x(), found.y(), options);
+    if (GetParam() == Model::kCatenaryCorrected && !cable.status.ok()) {
+      ASSERT_NE(cable.status.message.find("bending is too large"), std::string::npos) << cable.status.message;
+      ++refused;
+      continue;
+    }
     ASSERT_TRUE(cable.status.ok()) << cable.status.message;
     const Eigen::Vector3d to_b =
         start.pose.position + start.pose.orientation * start.state.attachment - start.state.anchor;
@@ -64,6 +70,7 @@ TEST_P(EveryModelClosed, EndsAtTheAttachment) {
     EXPECT_NEAR(force.z(), found.y() - start.state.cable.weight * found.z(), 1e-9 * found.head<2>().norm());
     EXPECT_LT((force.head<2>() + start.density * to_b.head<2>()).norm(), 1e-9 * found.x());
   }
+  EXPECT_LT(refused, kStates / 2);
 }
 
 TEST_P(EveryModelClosed, HasTheDerivativesOfCentralDifferences) {

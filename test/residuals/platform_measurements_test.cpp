@@ -84,8 +84,9 @@ TEST_P(PlatformMeasurementsBlock, HasTheJacobianOfCentralDifferences) {
   const Evaluation own = evaluate(block, c.parameters);
   ASSERT_TRUE(own.valid && own.finite());
   for (const std::size_t k : {0, 2}) {
-    Eigen::VectorXd steps = Eigen::VectorXd::Constant(c.parameters[k].size(), 1e-5 * c.robot.span());
-    if (k == 2) steps = 1e-3 * c.parameters[k].cwiseAbs();
+    // Shorter steps show the rounding of stiff cables' shots, which grows as they shrink.
+    Eigen::VectorXd steps = Eigen::VectorXd::Constant(c.parameters[k].size(), 5e-5 * c.robot.span());
+    if (k == 2) steps = 5e-3 * c.parameters[k].cwiseAbs();
     const Eigen::MatrixXd numeric = differences(block, c.parameters, k, steps);
     EXPECT_LT(largestDifference(own.jacobians[k], numeric, 1e-6 * numeric.cwiseAbs().maxCoeff()), 2e-5) << k;
   }

@@ -224,7 +224,9 @@ TEST_F(Refusals, AnAttachmentOnItsAnchorIsNoAnswerWithoutNumbers) {
     from_there.seed = request.pose;
     const RobotSolution forward = solveForward(robot_, from_there, options);
     EXPECT_TRUE(isFinite(forward));
-    if (forward.report.status.ok()) EXPECT_LT(forward.report.force_residual, 1e-4 * robot_.weight());
+    if (forward.report.status.ok()) {
+      EXPECT_LT(forward.report.force_residual, 1e-4 * robot_.weight());
+    }
   }
 }
 

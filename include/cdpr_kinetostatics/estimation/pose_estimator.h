@@ -90,9 +90,9 @@ class PoseEstimator {
   PoseEstimator(PoseEstimator&& other) noexcept;
   ~PoseEstimator();
 
-  // Starts from the last estimate if there is one. If that leads to no stable pose that explains the measurements
-  // without leaving out most of what is redundant, starts anew near the last pose, and then at the seed; the best
-  // answer counts. It depends on the measurements since reset() alone.
+  // Starts from the last estimate if there is one. Unless that leads to a stable pose close by that explains all of the
+  // measurements, a start from the seed competes, then one from the robot's home, then one from the last pose; the
+  // best answer counts. It depends on the measurements since reset() alone.
   Estimate update(const CableMeasurements& measurements);
 
   // Forgets all; the seed is the robot's home, or the pose given.

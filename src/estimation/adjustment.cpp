@@ -182,7 +182,9 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   adjusted.status = adjustment.solve(deadline, &adjusted.iterations);
   if (!adjusted.status.ok()) return adjusted;
   if (!adjustment.read(observationsOf(robot, selection), &adjusted)) {
-    adjusted.status = {Code::kInternalError, "the adjustment could not be evaluated at its own solution"};
+    adjusted.status = {
+        Code::kNotConverged,
+        "these measurements lead to a pose at which a cable cannot be evaluated: check lengths and tensions"};
     return adjusted;
   }
   adjustment.judge(&adjusted);

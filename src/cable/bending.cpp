@@ -141,10 +141,6 @@ SolveOutcome continueFromCatenary(const CableProperties& cable, double length, d
       shooting);
 }
 
-double bucklingForce(const CableProperties& cable, double length) {
-  return cable.bending_stiffness * std::pow(M_PI / length, 2);
-}
-
 // A weightless cable as long as the distance of its ends lies between them without any force. It has no stiffness
 // across itself, so that Newton's method has nothing to go by; it is evaluated under a pull of rounding size.
 SolveOutcome lieUnloaded(const CableProperties& cable, double length, double x, double y, const SolveLimits& limits,

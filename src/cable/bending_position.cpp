@@ -177,7 +177,7 @@ SolveOutcome closeLoop(const CableProperties& cable, double length, const Forces
 SolveOutcome searchEndOfForces(const CableProperties& cable, double length, const ForcesAtA& forces,
                                const SolveLimits& limits, MultipleShooting* shooting) {
   std::vector<Eigen::Vector2d> starts;
-  const double buckling = cable.bending_stiffness * std::pow(M_PI / length, 2);
+  const double buckling = bucklingForce(cable, length);
   const Eigen::Vector2d push(-forces.horizontal, forces.vertical - 0.5 * cable.weight * length);
   if (forces.horizontal < 0.0 && push.norm() > kStrutShare * buckling) {
     for (const double share : kStrutLengths) starts.emplace_back(share * length * push.normalized());

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cable/shot.h"
+#include "cable/tautness.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 
 namespace cdpr_kinetostatics {
@@ -30,7 +31,7 @@ struct ShotCable {
   }
 
   // Euler's load of the cable as a strut with hinged ends [N].
-  double bucklingForce() const { return properties.bending_stiffness * std::pow(M_PI / length, 2); }
+  double bucklingForce() const { return cdpr_kinetostatics::bucklingForce(properties, length); }
 
   // The length in units of l0: t runs from 0 to span.
   double span() const { return length / unit_length; }

@@ -30,6 +30,11 @@ inline bool pullsAllAlong(const CableProperties& cable, double length, const For
   return forces.horizontal > 0.0 || (on_one_end && !pushes(forces));
 }
 
+// Euler's load of a cable of this length as a strut with hinged ends, pi^2 EI/L^2 [N].
+inline double bucklingForce(const CableProperties& cable, double length) {
+  return cable.bending_stiffness * std::pow(M_PI / length, 2);
+}
+
 // A cable at a rough pose is longer than its chord for sure only beyond this excess; below it, the pose decides.
 inline constexpr double kSurelyLonger = 1.0001;
 

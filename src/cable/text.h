@@ -14,4 +14,9 @@ std::string text(const Parts&... parts) {
   return out.str();
 }
 
+// One sentence after the other; either may be missing.
+inline std::string joined(const std::string& first, const std::string& second) {
+  return first + (first.empty() || second.empty() ? "" : "; ") + second;
+}
+
 }  // namespace cdpr_kinetostatics

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "robot/platform_statics.h"
+
 namespace cdpr_kinetostatics {
 namespace {
 
@@ -34,11 +36,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// At home.
-double chord(const CableDescription& cable, const Pose& home) {
-  return (home.position + home.orientation * cable.attachment - cable.anchor).norm();
-}
-
 std::string lengthUnit(double factor) {
   struct Unit {
     const char* name;
@@ -57,7 +54,7 @@ Status checkLengths(const RobotDescription& robot, const CableMeasurements& meas
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     if (!measurements.lengths[i]) continue;
     lengths.push_back(*measurements.lengths[i]);
-    chords.push_back(chord(robot.cables[i], robot.home));
+    chords.push_back(anchorToAttachment(robot.cables[i], robot.home).norm());
     shares.push_back(lengths.back() / chords.back());
     for (std::size_t k = 0; k < i; ++k) {
       if (!measurements.lengths[k]) continue;

@@ -1,5 +1,7 @@
 #include "geometry/spatial.h"
 
+#include <cmath>
+
 namespace cdpr_kinetostatics {
 
 Eigen::Matrix3d cross(const Eigen::Vector3d& a) {
@@ -38,6 +40,18 @@ Pose displaced(const Pose& pose, const Eigen::Vector3d& translation, const Eigen
     moved.orientation = (Eigen::AngleAxisd(angle, rotation / angle) * pose.orientation).normalized();
   }
   return moved;
+}
+
+Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& angles) {
+  return Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX());
+}
+
+Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& attitude) {
+  const Eigen::Matrix3d r = attitude.toRotationMatrix();
+  return {std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2))),
+          std::atan2(r(1, 0), r(0, 0))};
 }
 
 Eigen::Matrix<double, 3, 4> rotationJacobian(const Eigen::Quaterniond& q, const Eigen::Vector3d& v) {

@@ -28,6 +28,10 @@ Eigen::Matrix<double, 6, 6> wrenchByMotion(const Eigen::Vector3d& arm, const Eig
 // The pose moved by a translation and turned by a rotation vector.
 Pose displaced(const Pose& pose, const Eigen::Vector3d& translation, const Eigen::Vector3d& rotation);
 
+// (roll, pitch, yaw) [rad] of R = Rz(yaw) Ry(pitch) Rx(roll): turns about fixed axes, roll first, as in URDF.
+Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& angles);
+Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& attitude);
+
 // d(q v)/d(x, y, z, w) of v + 2 w u x v + 2 u x (u x v) with u = (x, y, z): the rotation where q is a unit quaternion.
 Eigen::Matrix<double, 3, 4> rotationJacobian(const Eigen::Quaterniond& q, const Eigen::Vector3d& v);
 

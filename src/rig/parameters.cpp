@@ -5,6 +5,7 @@
 
 #include "cable/input_limits.h"
 #include "cable/text.h"
+#include "geometry/spatial.h"
 #include "ros/parameter_reader.h"
 #include "ros/parameters.h"
 
@@ -65,11 +66,7 @@ Pose readWaypoint(ParameterReader& entry, const RobotDescription& robot) {
   Pose pose = robot.home;
   pose.position = {xyz[0], xyz[1], xyz[2]};
   const std::vector<double> rpy = entry.numbers("rpy", 3, -10.0, 10.0, " rad");
-  if (!rpy.empty()) {
-    pose.orientation = Eigen::AngleAxisd(rpy[2], Eigen::Vector3d::UnitZ()) *
-                       Eigen::AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *
-                       Eigen::AngleAxisd(rpy[0], Eigen::Vector3d::UnitX());
-  }
+  if (!rpy.empty()) pose.orientation = fromRollPitchYaw({rpy[0], rpy[1], rpy[2]});
   return pose;
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "cable/iteration_schedule.h"
-#include "robot/platform_stability.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -199,8 +198,8 @@ SearchOutcome solveCoupled(const Wrench& external, const CoupledOptions& options
   return outcome;
 }
 
-bool isOnBranch(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness, const CoupledState& state) {
-  return platformStability(robot, stiffness).kind != Stability::kUnstable &&
+bool isOnBranch(const PlatformStability& stability, const CoupledState& state) {
+  return stability.kind != Stability::kUnstable &&
          std::all_of(state.cables.begin(), state.cables.end(),
                      [](const SaggingCable& cable) { return cable.onBranch(); });
 }

@@ -12,6 +12,7 @@
 #include "cdpr_kinetostatics/robot/robot_description.h"
 #include "robot/chord_law.h"
 #include "robot/linear_robot.h"
+#include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
 #include "robot/robot_forces.h"
 #include "robot/search_outcome.h"
@@ -96,7 +97,7 @@ struct CoupledOptions {
 SearchOutcome solveCoupled(const Wrench& external, const CoupledOptions& options, CoupledNewton* newton,
                            CoupledState* state);
 
-// True if the platform is stable and every cable in its sagging equilibrium.
-bool isOnBranch(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness, const CoupledState& state);
+// True if the platform does not leave its pose and every cable is in its sagging equilibrium.
+bool isOnBranch(const PlatformStability& stability, const CoupledState& state);
 
 }  // namespace cdpr_kinetostatics

@@ -6,7 +6,7 @@
 
 namespace cdpr_kinetostatics {
 Status checkForward(const RobotDescription& robot, const ForwardRequest& request, const RobotSolverOptions& options) {
-  return firstRefusal(checkRobot(robot), checkRobotOptions(options), checkLengths(robot, request.lengths),
+  return firstRefusal(checkRobotOptions(options), checkLengths(robot, request.lengths),
                       checkWrench(robot, request.external_wrench),
                       request.seed ? checkPose("seed", *request.seed) : checkPose("home", robot.home));
 }
@@ -14,7 +14,7 @@ Status checkForward(const RobotDescription& robot, const ForwardRequest& request
 RobotSolution solveForward(const RobotDescription& robot, const ForwardRequest& request,
                            const RobotSolverOptions& options) {
   const ForwardSolve::Clock::time_point begin = ForwardSolve::Clock::now();
-  const Status check = checkForward(robot, request, options);
+  const Status check = firstRefusal(checkRobot(robot), checkForward(robot, request, options));
   if (!check.ok()) return refusedRobot(options.model, check);
   ForwardSolve solve(robot, options);
   solve.solve(request, deadlineAfter(options.timeout));

@@ -1,13 +1,12 @@
-// This file is longer than 300 lines because a solve and the path that follows it work on one state.
 #include "robot/forward_solve.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "cable/catenary.h"
 #include "cable/iteration_schedule.h"
+#include "cable/text.h"
 #include "robot/basin_search.h"
 #include "robot/platform_error.h"
 #include "robot/platform_stability.h"
@@ -25,26 +24,9 @@ constexpr int kNearbyIterations = 10;
 constexpr double kNearbyShareOfSpan = 0.05;
 constexpr double kNearbyAngle = 0.2;  // [rad]
 
-// A prediction along a path that changes forces, angles or the pose by more than this share is a jump.
-constexpr double kLongestReach = 0.5;
-
-// Along a path, Newton's method that takes more linearisations than this is lost.
-constexpr int kMostLinearisations = 8;
-
-// What is left after a step of Newton's method is that step's size squared times a number that changes slowly along a
-// path. It is measured where a solve takes two steps, and trusted with so much in hand, for so many solves.
-constexpr double kSafety = 100.0;
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr int kSolvesBetweenMeasurements = 10;
-
 // A search that ended so has found nothing, or an equilibrium that is not kept: another start may lead to the answer.
 bool mayBeElsewhere(Code code) {
   return code == Code::kNotConverged || code == Code::kWrongBranch || code == Code::kUnstable;
-}
-
-// One sentence after the other.
-std::string joined(const std::string& first, const std::string& second) {
-  return first + (first.empty() || second.empty() ? "" : "; ") + second;
 }
 
 }  // namespace
@@ -83,15 +65,13 @@ bool ForwardSolve::solveOnLines(Model model) {
   options.model = model;
   options.compute_stiffness = true;
   answer_ = solveStraightForward(robot_, request_, options, deadline_);
-  const RobotReport& report = answer_->report;
-  outcome_ = {
-      report.status, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}};
+  outcome_ = outcomeOf(answer_->report);
   state_.pose = answer_->pose;
   state_.cables.clear();
   rungs_.assign(robot_.cables.size(), model);
   lines_stiffness_ = answer_->stiffness;
   if (!options_.compute_stiffness) answer_->stiffness.setZero();
-  if (report.status.code == Code::kUnstable) unstable_ = answer_;
+  if (outcome_.status.code == Code::kUnstable) unstable_ = answer_;
   return outcome_.ok();
 }
 
@@ -256,10 +236,8 @@ RobotSolution ForwardSolve::solution() const {
 RobotSolution ForwardSolve::verified(RobotSolution solution) const {
   const Status verdict = verdictOf(robot_, solution, request_.external_wrench, options_.tolerance);
   if (verdict.ok()) return solution;
-  const RobotReport& report = solution.report;
-  return failedRobot(
-      options_.model,
-      {verdict, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}});
+  solution.report.status = verdict;
+  return failedRobot(options_.model, outcomeOf(solution.report));
 }
 
 double ForwardSolve::tension(std::size_t i) const {
@@ -268,63 +246,6 @@ double ForwardSolve::tension(std::size_t i) const {
 
 const Eigen::Matrix<double, 6, 6>& ForwardSolve::stiffness() const {
   return onLines() ? lines_stiffness_ : newton_.stiffness();
-}
-
-bool ForwardSolve::follow(const ForwardRequest& request) {
-  outcome_.iterations = 0;
-  if (onLines() && !takeUpLines()) return false;
-  if (!(newton_.predict(request.lengths, request.external_wrench, &state_) < kLongestReach)) return false;
-  if (!converge(request.external_wrench) || !isOnBranch(robot_, newton_.stiffness(), state_) || !rungsServe()) {
-    return false;
-  }
-  request_ = request;
-  outcome_.status = describeStability(robot_, platformStability(robot_, newton_.stiffness()));
-  answer_.reset();
-  return true;
-}
-
-// Gives the state its cables, each under the force of its line. False where a line is slack, and where lines have no
-// stiffness: STRAIGHT.
-bool ForwardSolve::takeUpLines() {
-  if (rungs_.front() != Model::kStraightElastic) return false;
-  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
-    SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
-    const CablePlane plane = cablePlane(robot_.cables[i], state_.pose);
-    if (!cable.startBetween(request_.lengths[i], plane.x, plane.y, {options_.tolerance}).ok()) {
-      state_.cables.clear();
-      return false;
-    }
-    state_.cables.push_back(std::move(cable));
-  }
-  return converge(request_.external_wrench) && isOnBranch(robot_, newton_.stiffness(), state_);
-}
-
-// From a state near the solution. Integration steps are chosen anew where the old ones do not serve.
-bool ForwardSolve::converge(const Wrench& external) {
-  // A straight cable's stiffness is nearly all along it: its steps contract now by the one, now by the other.
-  const bool measurable = !std::any_of(rungs_.begin(), rungs_.end(), isStraight);
-  if (++solves_since_measured_ > kSolvesBetweenMeasurements) contraction_ = kUnknown;
-  double last_size = 0.0;
-  for (int i = 0; i < kMostLinearisations; ++i) {
-    ++outcome_.iterations;
-    if (!newton_.linearise(external, Steps::kNewWhereDue, &state_) || !newton_.solve()) return false;
-    const double size = newton_.size(state_);
-    if (i > 0) {
-      if (!(size < last_size)) return size < kRoundingSize && newton_.atRounding();
-      contraction_ = measurable ? size / (last_size * last_size) : kUnknown;
-      solves_since_measured_ = 0;
-    }
-    newton_.step(&state_);
-    if (size <= options_.tolerance || kSafety * contraction_ * size * size <= options_.tolerance) return true;
-    last_size = size;
-  }
-  return false;
-}
-
-bool ForwardSolve::rungsServe() {
-  if (options_.model != Model::kAuto) return true;
-  readForces(state_, &reached_);
-  return choice_.serve(robot_, reached_, options_.accuracy, rungs_);
 }
 
 }  // namespace cdpr_kinetostatics

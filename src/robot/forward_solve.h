@@ -85,8 +85,9 @@ class ForwardSolve {
 
   RungChoice choice_;    // AUTO
   RobotForces reached_;  // a workspace
-  // Newton's method leaves this times a step's square; unknown if infinite (see converge()).
-  double contraction_ = std::numeric_limits<double>::infinity();
+  // Newton's method leaves this times a step's square (see converge()).
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  double contraction_ = kUnknown;
   int solves_since_measured_ = 0;
 };
 

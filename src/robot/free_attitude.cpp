@@ -17,27 +17,15 @@ constexpr double kSteepestPitch = 1.5607963267948966;  // pi/2 - 0.01 [rad]
 
 }  // namespace
 
-Eigen::Vector3d yawPitchRoll(const Eigen::Quaterniond& attitude) {
-  const Eigen::Matrix3d r = attitude.toRotationMatrix();
-  return {std::atan2(r(1, 0), r(0, 0)), std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2))),
-          std::atan2(r(2, 1), r(2, 2))};
-}
-
-Eigen::Quaterniond fromYawPitchRoll(const Eigen::Vector3d& angles) {
-  return Eigen::AngleAxisd(angles(0), Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(angles(1), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(angles(2), Eigen::Vector3d::UnitX());
-}
-
 FreeAttitude::FreeAttitude(const RobotDescription& robot, const InverseRequest& request) {
   if (!request.free_orientation || robot.type != PlatformType::kRigidBody) return;
   freedoms_ = request.hold_yaw ? 2 : 3;
-  yaw_ = yawPitchRoll(request.pose.orientation)(0);
+  yaw_ = rollPitchYaw(request.pose.orientation).z();
 }
 
 FreeAttitude::Axes FreeAttitude::axes(const Pose& pose) const {
   if (!holdsHeading()) return Eigen::Matrix3d::Identity().leftCols(freedoms_);
-  const double pitch = yawPitchRoll(pose.orientation)(1);
+  const double pitch = rollPitchYaw(pose.orientation).y();
   const Eigen::AngleAxisd heading(yaw_, Eigen::Vector3d::UnitZ());
   Axes axes(3, 2);
   axes.col(0) = heading * Eigen::Vector3d::UnitY();
@@ -48,29 +36,29 @@ FreeAttitude::Axes FreeAttitude::axes(const Pose& pose) const {
 Pose FreeAttitude::turned(const Pose& pose, const Turn& turn) const {
   if (freedoms_ == 0) return pose;
   if (!holdsHeading()) return displaced(pose, Eigen::Vector3d::Zero(), turn);
-  const Eigen::Vector3d angles = yawPitchRoll(pose.orientation);
+  const Eigen::Vector3d angles = rollPitchYaw(pose.orientation);
   Pose moved = pose;
-  moved.orientation = fromYawPitchRoll({yaw_, angles(1) + turn(0), angles(2) + turn(1)});
+  moved.orientation = fromRollPitchYaw({angles.x() + turn(1), angles.y() + turn(0), yaw_});
   return moved;
 }
 
 Pose FreeAttitude::allowed(const Pose& pose) const {
   if (!holdsHeading()) return pose;
-  const Eigen::Vector3d angles = yawPitchRoll(pose.orientation);
+  const Eigen::Vector3d angles = rollPitchYaw(pose.orientation);
   Pose put_right = pose;
-  put_right.orientation = fromYawPitchRoll({yaw_, std::clamp(angles(1), -kSteepestPitch, kSteepestPitch), angles(2)});
+  put_right.orientation = fromRollPitchYaw({angles.x(), std::clamp(angles.y(), -kSteepestPitch, kSteepestPitch), yaw_});
   return put_right;
 }
 
 FreeAttitude::Turn FreeAttitude::least(const Pose& pose) const {
   Turn least = Turn::Constant(freedoms_, -kMaxTurn);
-  if (holdsHeading()) least(0) = std::max(least(0), -kSteepestPitch - yawPitchRoll(pose.orientation)(1));
+  if (holdsHeading()) least(0) = std::max(least(0), -kSteepestPitch - rollPitchYaw(pose.orientation).y());
   return least;
 }
 
 FreeAttitude::Turn FreeAttitude::most(const Pose& pose) const {
   Turn most = Turn::Constant(freedoms_, kMaxTurn);
-  if (holdsHeading()) most(0) = std::min(most(0), kSteepestPitch - yawPitchRoll(pose.orientation)(1));
+  if (holdsHeading()) most(0) = std::min(most(0), kSteepestPitch - rollPitchYaw(pose.orientation).y());
   return most;
 }
 

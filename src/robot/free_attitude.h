@@ -37,8 +37,4 @@ class FreeAttitude {
   double yaw_ = 0.0;
 };
 
-// Yaw, pitch and roll of R = Rz(yaw) Ry(pitch) Rx(roll) [rad].
-Eigen::Vector3d yawPitchRoll(const Eigen::Quaterniond& attitude);
-Eigen::Quaterniond fromYawPitchRoll(const Eigen::Vector3d& angles);
-
 }  // namespace cdpr_kinetostatics

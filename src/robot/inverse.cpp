@@ -7,7 +7,7 @@
 namespace cdpr_kinetostatics {
 
 Status checkInverse(const RobotDescription& robot, const InverseRequest& request, const RobotSolverOptions& options) {
-  return firstRefusal(checkRobot(robot), checkRobotOptions(options), checkPose("pose", request.pose),
+  return firstRefusal(checkRobotOptions(options), checkPose("pose", request.pose),
                       checkWrench(robot, request.external_wrench),
                       checkPreferredTensions(robot, request.preferred_tensions),
                       checkHoldYaw(robot, request.free_orientation && request.hold_yaw));
@@ -16,7 +16,7 @@ Status checkInverse(const RobotDescription& robot, const InverseRequest& request
 RobotSolution solveInverse(const RobotDescription& robot, const InverseRequest& request,
                            const RobotSolverOptions& options) {
   const InverseSolve::Clock::time_point begin = InverseSolve::Clock::now();
-  const Status check = checkInverse(robot, request, options);
+  const Status check = firstRefusal(checkRobot(robot), checkInverse(robot, request, options));
   if (!check.ok()) return refusedRobot(options.model, check);
   InverseSolve solve(robot, options);
   solve.solve(request, deadlineAfter(options.timeout));

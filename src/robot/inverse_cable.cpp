@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cable/tautness.h"
 #include "robot/platform_statics.h"
 
 namespace cdpr_kinetostatics {
@@ -118,7 +119,7 @@ double InverseCable::pullOfEndless() const {
   if (isStraight(cable.model())) return 0.0;
   const double hanging = 0.5 * cable.properties().weight * plane.y * plane.y / chord;
   if (!cable.bends()) return hanging;
-  return hanging - kBuckling * cable.properties().bending_stiffness * std::pow(M_PI / chord, 2);
+  return hanging - kBuckling * bucklingForce(cable.properties(), chord);
 }
 
 bool InverseCable::close(const CableDescription& description, const Pose& pose, Steps steps, double new_pull,

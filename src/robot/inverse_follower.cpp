@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "robot/inverse_solve.h"
+#include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
@@ -15,6 +16,7 @@ InverseFollower::~InverseFollower() = default;
 const Status& InverseFollower::solve(const InverseRequest& request) {
   const InverseSolve::Clock::time_point begin = InverseSolve::Clock::now();
   status_ = checkInverse(robot_, request, options_);
+  if (!can_follow_) status_ = firstRefusal(checkRobot(robot_), status_);  // a robot that was solved has been checked
   checked_ = status_.ok();
   warm_started_ = checked_ && can_follow_ && solve_->follow(request);
   iterations_ = checked_ && can_follow_ ? solve_->iterations() : 0;

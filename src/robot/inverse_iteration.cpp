@@ -131,22 +131,14 @@ bool InverseIteration::keepsBranches() const {
 }
 
 bool InverseIteration::closeCables(Steps steps) {
-  Eigen::VectorXd pulls(static_cast<Eigen::Index>(cables_.size()));
-  for (std::size_t i = 0; i < cables_.size(); ++i) {
-    if (!cables_[i].linearise(problem_.robot.cables[i], pose_, steps, kTautInSearch)) return false;
-    pulls(static_cast<Eigen::Index>(i)) = cables_[i].pull;
-  }
-  return closeAt(pulls, Eigen::Vector3d::Zero(), steps);
+  if (!linearise(steps, kTautInSearch)) return false;
+  return closeAt(pulls(), Eigen::Vector3d::Zero(), steps);
 }
 
 bool InverseIteration::distribute(SolveLimits::Clock::time_point deadline) {
   const auto n = static_cast<int>(cables_.size());
   if (problem_.attitude.freedoms() == 0) {
-    const TensionProblem program = tensionProgram(problem_, pose_, cables_, distribution_.multipliers);
-    // The limits reached last are mostly those reached again.
-    std::optional<TensionDistribution> likely =
-        distributeAtLimits(program, distribution_.at_lower, distribution_.at_upper);
-    distribution_ = likely ? std::move(*likely) : distributeTensions(program, deadline);
+    distributePulls(deadline);
   } else {
     const std::optional<QuadraticProgram> program =
         attitudeProgram(problem_, pose_, cables_, distribution_.multipliers);
@@ -201,8 +193,7 @@ bool InverseIteration::advance(const Move& move, Steps steps) {
   before_ = cables_;
   const Pose pose = pose_;
   const double merit_before = merit() * (1.0 + kMeritRounding);
-  Eigen::VectorXd from(n);
-  for (Eigen::Index i = 0; i < n; ++i) from(i) = cables_[i].pull;
+  const Eigen::VectorXd from = pulls();
   const Eigen::Vector3d turn = problem_.attitude.axes(pose) * move.turn;
   const Eigen::VectorXd way = distribution_.tensions.head(n) - from;
   // What no tensions can remove is no measure of a step.
@@ -218,18 +209,25 @@ bool InverseIteration::advance(const Move& move, Steps steps) {
   return closed;
 }
 
-bool InverseIteration::lineariseNearby(Steps steps) {
+bool InverseIteration::linearise(Steps steps, double taut) {
   for (std::size_t i = 0; i < cables_.size(); ++i) {
-    if (!cables_[i].linearise(problem_.robot.cables[i], pose_, steps, kTautOnPath)) return false;
+    if (!cables_[i].linearise(problem_.robot.cables[i], pose_, steps, taut)) return false;
   }
   return true;
 }
 
-void InverseIteration::distributeNearby() {
+Eigen::VectorXd InverseIteration::pulls() const {
+  Eigen::VectorXd pulls(static_cast<Eigen::Index>(cables_.size()));
+  for (std::size_t i = 0; i < cables_.size(); ++i) pulls(static_cast<Eigen::Index>(i)) = cables_[i].pull;
+  return pulls;
+}
+
+// The limits reached last are mostly those reached again.
+void InverseIteration::distributePulls(SolveLimits::Clock::time_point deadline) {
   const TensionProblem program = tensionProgram(problem_, pose_, cables_, distribution_.multipliers);
   std::optional<TensionDistribution> likely =
       distributeAtLimits(program, distribution_.at_lower, distribution_.at_upper);
-  distribution_ = likely ? std::move(*likely) : distributeTensions(program);
+  distribution_ = likely ? std::move(*likely) : distributeTensions(program, deadline);
 }
 
 void InverseIteration::take(const Move& move) {

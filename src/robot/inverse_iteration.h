@@ -45,8 +45,8 @@ class InverseIteration {
 
   // The same along a path, from a state near the answer, without second derivatives of taut cables and without a
   // search along the step. Both allocate nothing that they have allocated before.
-  bool lineariseNearby(Steps steps);
-  void distributeNearby();
+  bool lineariseNearby(Steps steps) { return linearise(steps, kTautOnPath); }
+  void distributeNearby() { distributePulls(SolveLimits::Clock::time_point::max()); }
   void take(const Move& move);
 
   const FreeAttitude& attitude() const { return problem_.attitude; }
@@ -64,6 +64,11 @@ class InverseIteration {
   const std::vector<InverseCable>& cables() const { return cables_; }
 
  private:
+  // taut: as for InverseCable::linearise().
+  bool linearise(Steps steps, double taut);
+  // Where the attitude is given.
+  void distributePulls(SolveLimits::Clock::time_point deadline);
+  Eigen::VectorXd pulls() const;
   double merit() const;
   bool closeAt(const Eigen::VectorXd& pulls, const Eigen::Vector3d& turn, Steps steps);
   // No cable that hung as it should before a step hangs otherwise after it.

@@ -5,6 +5,7 @@
 
 #include "cable/cable_description.h"
 #include "cable/iteration_schedule.h"
+#include "cable/text.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
@@ -101,7 +102,7 @@ RobotSolution InverseSolve::solution() const {
   }
   assemble(robot_, request_.external_wrench, cables, &solution);
   std::string& message = solution.report.status.message;
-  if (options_.model == Model::kAuto) message = describeChoice(solution) + (message.empty() ? "" : "; " + message);
+  if (options_.model == Model::kAuto) message = joined(describeChoice(solution), message);
   return solution;
 }
 

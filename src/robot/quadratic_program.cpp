@@ -2,17 +2,14 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "robot/nearest_in_polytope.h"
+#include "robot/null_space.h"
 
 namespace cdpr_kinetostatics {
 namespace {
-
-// Singular values below this share of the largest are zero: the variables cannot act in that direction.
-constexpr double kRank = 1e-10;
 
 // Curvatures below this share of the largest count as that much: a direction without curvature has no nearest point.
 constexpr double kLeastCurvature = 1e-9;
@@ -26,22 +23,18 @@ constexpr double kImbalancePrice = 1e4;
 
 // In the coordinates of equations and curvature, where the program asks for the point of a polytope nearest to another.
 QuadraticStep solveInNullSpace(const QuadraticProgram& program, SolveLimits::Clock::time_point deadline) {
-  const Eigen::Index n = program.gradient.size();
   const auto scale = program.scale.asDiagonal();
   const Eigen::MatrixXd hessian = scale * program.hessian * scale;
   const Eigen::VectorXd gradient = scale * program.gradient;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(program.matrix * scale, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& values = svd.singularValues();
-  const Eigen::Index rank = (values.array() > kRank * values(0)).count();
-  const Eigen::VectorXd rotated = svd.matrixU().transpose() * program.right;
-  const Eigen::VectorXd particular = svd.matrixV().leftCols(rank) * rotated.head(rank).cwiseQuotient(values.head(rank));
-  const Eigen::MatrixXd null = svd.matrixV().rightCols(n - rank);
+  const NullSpace space = nullSpace(program.matrix * scale, program.right);
+  const Eigen::VectorXd& particular = space.particular;
+  const Eigen::MatrixXd& null = space.directions;
 
   QuadraticStep step;
-  step.imbalance = rotated.tail(rotated.size() - rank).norm();
+  step.imbalance = space.imbalance;
   Eigen::MatrixXd free = null;  // columns: directions of unit curvature
-  Eigen::VectorXd nearest = Eigen::VectorXd::Zero(n - rank);
-  if (n > rank) {
+  Eigen::VectorXd nearest = Eigen::VectorXd::Zero(null.cols());
+  if (null.cols() > 0) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(null.transpose() * hessian * null);
     const double largest = std::max(eigen.eigenvalues().cwiseAbs().maxCoeff(), 1e-300);
     const Eigen::VectorXd stretch =

@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "cable/input_limits.h"
+#include "geometry/spatial.h"
 #include "robot/cable_keys.h"
+#include "robot/platform_statics.h"
 #include "robot/robot_checks.h"
 #include "robot/yaml_file.h"
 #include "robot/yaml_map.h"
@@ -44,13 +46,6 @@ class Warnings {
  private:
   std::string simulation_only_;
 };
-
-// Fixed axes x, y, z as in URDF: roll first, yaw last.
-Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy) {
-  return Eigen::Quaterniond(Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
-                            Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-                            Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()));
-}
 
 PlatformType platformType(YamlMap& platform) {
   const std::string type = platform.textOr("type", "rigid_body");
@@ -121,7 +116,7 @@ CableDescription readPoint(YamlMap point, const std::string& default_name, const
   } else {
     cable.attachment = point.vector("platform", Range::kAny, "m");
   }
-  if ((robot.home.transform(cable.attachment) - cable.anchor).norm() < kLeastChord) {
+  if (anchorToAttachment(cable, robot.home).norm() < kLeastChord) {
     point.fail("frame", "a point away from where platform.position puts this cable's platform point");
   }
 

@@ -37,6 +37,10 @@ RobotSolution failedRobot(Model model, const SearchOutcome& outcome) {
   return solution;
 }
 
+SearchOutcome outcomeOf(const RobotReport& report) {
+  return {report.status, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}};
+}
+
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,
                                           const std::vector<SaggingCable>& cables, int profile_points) {
   std::vector<CableSolution> solutions;

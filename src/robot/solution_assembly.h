@@ -16,6 +16,9 @@ RobotSolution refusedRobot(Model model, const Status& status);
 // The same of a search that found none, with what it had reached.
 RobotSolution failedRobot(Model model, const SearchOutcome& outcome);
 
+// How the search behind a report ended.
+SearchOutcome outcomeOf(const RobotReport& report);
+
 // Cable i between its anchor and the platform at the pose, with so many profile points.
 std::vector<CableSolution> describeCables(const RobotDescription& robot, const Pose& pose,
                                           const std::vector<SaggingCable>& cables, int profile_points);

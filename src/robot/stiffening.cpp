@@ -66,7 +66,7 @@ SearchOutcome stiffen(const RobotDescription& robot, const Wrench& external, con
       outcome = solveCoupled(external, options, used, &there);
     }
     iterations += outcome.iterations;
-    const bool on_branch = outcome.ok() && isOnBranch(robot, used->stiffness(), there);
+    const bool on_branch = outcome.ok() && isOnBranch(platformStability(robot, used->stiffness()), there);
     if (on_branch) {
       *state = std::move(there);
       reached = next;

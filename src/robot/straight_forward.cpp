@@ -164,10 +164,7 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
   }
   solution.report.status = verdict;
   if (verdict.ok() || verdict.code == Code::kUnstable) return solution;
-  const RobotReport& report = solution.report;
-  return failedRobot(
-      options.model,
-      {verdict, report.iterations, {report.closure_residual, report.force_residual, report.moment_residual}});
+  return failedRobot(options.model, outcomeOf(solution.report));
 }
 
 }  // namespace cdpr_kinetostatics

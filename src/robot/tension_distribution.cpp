@@ -2,18 +2,15 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "robot/nearest_in_polytope.h"
+#include "robot/null_space.h"
 
 namespace cdpr_kinetostatics {
 namespace {
-
-// Singular values below this share of the largest are zero: the cables cannot act in that direction.
-constexpr double kRank = 1e-10;
 
 // Accepted violation of a limit, relative to the scaled variables' size.
 constexpr double kLimitTolerance = 1e-12;
@@ -57,21 +54,17 @@ TensionDistribution distributeExactly(const TensionProblem& problem, SolveLimits
   const Eigen::VectorXd preferred = problem.weight.cwiseProduct(problem.preferred);
 
   // y = weight t: particular solution plus null space.
-  const Eigen::MatrixXd scaled = problem.matrix * inverse_weight.asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& values = svd.singularValues();
-  const Eigen::Index rank = (values.array() > kRank * values(0)).count();
-  const Eigen::VectorXd rotated = svd.matrixU().transpose() * problem.wrench;
-  const Eigen::VectorXd particular = svd.matrixV().leftCols(rank) * rotated.head(rank).cwiseQuotient(values.head(rank));
-  const Eigen::MatrixXd null = svd.matrixV().rightCols(n - rank);
+  const NullSpace space = nullSpace(problem.matrix * inverse_weight.asDiagonal(), problem.wrench);
+  const Eigen::VectorXd& particular = space.particular;
+  const Eigen::MatrixXd& null = space.directions;
 
   TensionDistribution distribution;
-  distribution.imbalance = rotated.tail(rotated.size() - rank).norm();
+  distribution.imbalance = space.imbalance;
 
   std::vector<int> cable;  // of each constraint; upper limits as -1 - cable
   std::vector<double> bound;
   const double scale = std::max(particular.cwiseAbs().maxCoeff(), preferred.cwiseAbs().maxCoeff());
-  Eigen::MatrixXd normals(n - rank, 2 * n);
+  Eigen::MatrixXd normals(null.cols(), 2 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (const double sign : {1.0, -1.0}) {
       const double limit = problem.weight(i) * (sign > 0.0 ? problem.lower(i) : problem.upper(i));

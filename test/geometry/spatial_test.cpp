@@ -131,5 +131,18 @@ TEST(Spatial, ASmallChangeOfAQuaternionIsHalfItsRotation) {
   }
 }
 
+// About fixed axes, roll first: x goes to y by a yaw, y to z by a roll, z to x by a pitch of a right angle.
+TEST(Spatial, RollPitchYawAreTurnsAboutFixedAxes) {
+  const double right = 0.5 * M_PI;
+  EXPECT_LT((fromRollPitchYaw({0.0, 0.0, right}) * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LT((fromRollPitchYaw({right, 0.0, 0.0}) * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+  EXPECT_LT((fromRollPitchYaw({0.0, right, 0.0}) * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm(), 1e-15);
+  // The roll takes y to z, where the yaw leaves it.
+  EXPECT_LT((fromRollPitchYaw({right, 0.0, right}) * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(),
+            1e-15);
+  const Eigen::Vector3d angles(2.5, -1.1, -3.0);
+  EXPECT_LT((rollPitchYaw(fromRollPitchYaw(angles)) - angles).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/spatial.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {
@@ -42,25 +43,27 @@ INSTANTIATE_TEST_SUITE_P(HoldYaw, FreeAttitudes, testing::Bool());
 TEST(HeldHeading, StaysThroughTurnsAndOtherAttitudes) {
   Dice dice(96);
   for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector3d angles(dice.uniform(-3.1, 3.1), dice.uniform(-1.2, 1.2), dice.uniform(-3.1, 3.1));
+    const double yaw = dice.uniform(-3.1, 3.1);
+    const double pitch = dice.uniform(-1.2, 1.2);
+    const Eigen::Vector3d angles(dice.uniform(-3.1, 3.1), pitch, yaw);
     Pose pose;
-    pose.orientation = fromYawPitchRoll(angles);
-    EXPECT_LT((yawPitchRoll(pose.orientation) - angles).norm(), 1e-12);
+    pose.orientation = fromRollPitchYaw(angles);
+    EXPECT_LT((rollPitchYaw(pose.orientation) - angles).norm(), 1e-12);
     const FreeAttitude attitude = attitudeOf(true, pose.orientation);
     const FreeAttitude::Turn turn = Eigen::Vector2d(dice.uniform(-0.2, 0.2), dice.uniform(-0.2, 0.2));
-    EXPECT_NEAR(yawPitchRoll(attitude.turned(pose, turn).orientation)(0), angles(0), 1e-12);
+    EXPECT_NEAR(rollPitchYaw(attitude.turned(pose, turn).orientation).z(), yaw, 1e-12);
     pose.orientation = dice.attitude();
-    EXPECT_NEAR(yawPitchRoll(attitude.allowed(pose).orientation)(0), angles(0), 1e-12);
+    EXPECT_NEAR(rollPitchYaw(attitude.allowed(pose).orientation).z(), yaw, 1e-12);
   }
 }
 
 TEST(HeldHeading, PitchStaysBelowARightAngle) {
   Pose pose;
-  pose.orientation = fromYawPitchRoll({0.3, 1.5, 0.2});
+  pose.orientation = fromRollPitchYaw({0.2, 1.5, 0.3});
   const FreeAttitude attitude = attitudeOf(true, pose.orientation);
   const Pose steep = attitude.turned(pose, attitude.most(pose));
-  EXPECT_NEAR(yawPitchRoll(steep.orientation)(0), 0.3, 1e-9);
-  EXPECT_LT(yawPitchRoll(steep.orientation)(1), 1.5707);
+  EXPECT_NEAR(rollPitchYaw(steep.orientation).z(), 0.3, 1e-9);
+  EXPECT_LT(rollPitchYaw(steep.orientation).y(), 1.5707);
 }
 
 TEST(FixedAttitude, DoesNotTurn) {

@@ -38,7 +38,7 @@ TEST_F(Stiffening, EndsInAStableBalanceOfTheRealBars) {
   }
   EXPECT_LT(totalWrench(robot_, Wrench::Zero(), state_.pose, forces).norm(), 1e-7 * robot_.weight());
   // The workspace that was handed in holds the real robot's linearisation.
-  EXPECT_TRUE(isOnBranch(robot_, newton_.stiffness(), state_));
+  EXPECT_TRUE(isOnBranch(platformStability(robot_, newton_.stiffness()), state_));
 }
 
 TEST_F(Stiffening, StopsAtTheDeadline) {

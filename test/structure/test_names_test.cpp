@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::string> kExceptions = {
     {"robot/attitude_program.cpp", "tension_program_test, attitude_search_test"},
     {"robot/basin_search.cpp", "far_seeds_test"},
+    {"robot/forward_path.cpp", "forward_follower_test, forward_solve_test"},
     {"robot/forward.cpp", "round_trip_test, far_seeds_test, refusal_test"},
     {"robot/inverse_iteration.cpp", "inverse_solve_test, inverse_test"},
     {"robot/residual_blocks.cpp", "far_seeds_test"},

@@ -11,10 +11,14 @@ namespace {
 
 std::optional<double> reading(FuzzedInput* input, double exact, double stddev) {
   switch (input->count(0, 9)) {
-    case 0: return std::nullopt;
-    case 1: return input->number(-1e3, 1e3);
-    case 2: return exact + input->number(-1.0, 1.0);
-    default: return exact + stddev * input->number(-3.0, 3.0);
+    case 0:
+      return std::nullopt;
+    case 1:
+      return input->number(-1e3, 1e3);
+    case 2:
+      return exact + input->number(-1.0, 1.0);
+    default:
+      return exact + stddev * input->number(-3.0, 3.0);
   }
 }
 

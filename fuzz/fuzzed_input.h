@@ -2,7 +2,7 @@
 // that fits into a double, with the numbers among them that break programs.
 #pragma once
 
-#include <fuzzer/FuzzedDataProvider.h>
+#include <FuzzedDataProvider.h>
 
 #include <array>
 #include <cmath>
@@ -22,16 +22,21 @@ class FuzzedInput {
 
   bool flag() { return provider_.ConsumeBool(); }
   int count(int least, int most) { return provider_.ConsumeIntegralInRange<int>(least, most); }
-  bool exhausted() const { return provider_.remaining_bytes() == 0; }
+  bool exhausted() { return provider_.remaining_bytes() == 0; }
 
   // Between low and high, mostly; now and then any number.
   double number(double low, double high) {
     switch (provider_.ConsumeIntegralInRange<int>(0, 15)) {
-      case 0: return anything();
-      case 1: return special();
-      case 2: return low;
-      case 3: return high;
-      default: return provider_.ConsumeFloatingPointInRange<double>(low, high);
+      case 0:
+        return anything();
+      case 1:
+        return special();
+      case 2:
+        return low;
+      case 3:
+        return high;
+      default:
+        return provider_.ConsumeFloatingPointInRange<double>(low, high);
     }
   }
 
@@ -41,9 +46,7 @@ class FuzzedInput {
     return std::exp(provider_.ConsumeFloatingPointInRange<double>(std::log(low), std::log(high)));
   }
 
-  Model model() {
-    return static_cast<Model>(provider_.ConsumeIntegralInRange<int>(static_cast<int>(Model::kAuto), 8));
-  }
+  Model model() { return static_cast<Model>(provider_.ConsumeIntegralInRange<int>(static_cast<int>(Model::kAuto), 8)); }
 
   CableProperties cable() {
     CableProperties properties;
@@ -63,8 +66,9 @@ class FuzzedInput {
 
   double special() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    constexpr std::array<double, 12> kSpecial = {0.0,  -0.0,      1e-300,     -1e-300,   1e300, -1e300, 1e-12, -1.0,
-                                                 1e12, kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()};
+    constexpr std::array<double, 12> kSpecial = {
+        0.0,   -0.0, 1e-300, -1e-300,   1e300,      -1e300,
+        1e-12, -1.0, 1e12,   kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()};
     return provider_.PickValueInArray(kSpecial);
   }
 

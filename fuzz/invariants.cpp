@@ -12,8 +12,8 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// A converged answer may miss what it claims by so much of the length or of the forces: far more than any tolerance that
-// the targets ask for, far less than an answer that is wrong.
+// A converged answer may miss what it claims by so much of the length or of the forces: far more than any tolerance
+// that the targets ask for, far less than an answer that is wrong.
 constexpr double kMiss = 1e-5;
 // Forces are known to this share; a compliant cable's end is known to as much times its compliance.
 constexpr double kForceShare = 1e-7;
@@ -76,10 +76,8 @@ void requireHonest(const CableSolution& solution) {
 void requireClosed(const CableProperties& cable, const CableSolution& solution) {
   const Status& status = solution.status;
   if (!status.ok()) return;
-  const double forces =
-      std::max(solution.tension_a, solution.tension_b) + cable.weight * solution.length;
-  const double allowed =
-      kMiss * solution.length + kForceShare * solution.end_jacobian.leftCols<2>().norm() * forces;
+  const double forces = std::max(solution.tension_a, solution.tension_b) + cable.weight * solution.length;
+  const double allowed = kMiss * solution.length + kForceShare * solution.end_jacobian.leftCols<2>().norm() * forces;
   require(solution.closure_residual <= allowed, "CONVERGED, but the cable does not end where it should", status);
   require(solution.moment_residual <= kMiss * (solution.max_moment + forces * solution.length),
           "CONVERGED, but the moment jumps", status);

@@ -24,10 +24,10 @@ if [ ${#names[@]} -eq 0 ]; then
   for source in "$repository"/fuzz/*_fuzz.cpp; do names+=("$(basename "$source" _fuzz.cpp)"); done
 fi
 
-"$repository/scripts/setup.sh"
-mkdir -p "$workspace/src" "$workspace/findings"
-ln -sfn "$repository" "$workspace/src/cdpr_kinetostatics"
+"$repository/scripts/setup.sh" clang
+mkdir -p "$workspace/findings"
 source_ros
+link_package
 echo "building in $workspace"
 catkin_make -C "$workspace" -j"$(nproc)" fuzzers --cmake-args -DCDPR_BUILD_FUZZERS=ON -DCMAKE_CXX_COMPILER=clang++ \
   -DCDPR_SANITIZE=address,undefined,fuzzer-no-link -DCATKIN_ENABLE_TESTING=OFF

@@ -1,6 +1,7 @@
 #!/bin/bash
 # Installs by apt what is missing to build, run and test the package. Safe to call again: it then takes
 # less than a second. As root or with sudo; on Debian 12, or on Ubuntu 20.04 with ROS Noetic in /opt/ros.
+#   scripts/setup.sh [PACKAGE...]     PACKAGE: installed besides
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -11,8 +12,9 @@ packages=(
   imagemagick libgl1-mesa-dri python3-matplotlib python3-numpy xauth xvfb
   # comparisons of scripts/benchmarks.sh
   libsundials-dev python3-scipy
-  # checks of scripts/test.sh; the compiler and its run-time library are those of scripts/fuzz.sh
-  clang-format clang-tidy clang libclang-rt-14-dev
+  # checks of scripts/test.sh
+  clang-format clang-tidy
+  "$@"
 )
 if [ -d /opt/ros/noetic ]; then
   packages+=(
@@ -29,6 +31,8 @@ else
     libroscpp-dev librostest-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libtf2-ros-dev
     libvisualization-msgs-dev ros-diagnostic-msgs ros-geometry-msgs ros-message-generation ros-message-runtime
     ros-sensor-msgs ros-std-msgs ros-std-srvs ros-visualization-msgs
+    # tests of fuzz/
+    libclang-rt-14-dev
     # run and test
     python3-diagnostic-msgs python3-geometry-msgs python3-rosbag python3-roslaunch python3-rosparam python3-rospy python3-rosservice
     python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-msgs python3-visualization-msgs

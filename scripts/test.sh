@@ -2,15 +2,18 @@
 # Installs, builds, runs every test and check. Exits non-zero if any fails, or if none ran.
 #   scripts/test.sh                                 everything
 #   scripts/test.sh --sanitize=address,undefined    tests only, built with these sanitizers in a workspace of their own
+#   scripts/test.sh --fuzz                          everything, then a minute of each target of scripts/fuzz.sh
 # CI=true makes warnings errors and adds clang-tidy.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 sanitize=
+fuzz=
 for argument in "$@"; do
   case "$argument" in
     --sanitize=*) sanitize=${argument#*=} ;;
-    *) sed -n '2,5s/^# *//p' "$0" >&2 && exit 2 ;;
+    --fuzz) fuzz=yes ;;
+    *) sed -n '2,6s/^# *//p' "$0" >&2 && exit 2 ;;
   esac
 done
 ci=OFF
@@ -64,6 +67,7 @@ if [ -z "$sanitize" ]; then
     --ignore literal_project_name --ignore uninstalled_script "$workspace/src/cdpr_kinetostatics"
   [ $ci = OFF ] || check clang-tidy tidy
 fi
+[ -z "$fuzz" ] || check fuzz "$repository/scripts/fuzz.sh"
 
 echo "--- results"
 counted=$("$repository/scripts/count_tests.py" "$results")

@@ -24,7 +24,9 @@ if(TARGET cvodes)
   target_sources(cvodes PRIVATE benchmark/sundials/cvodes_shot.cpp)
   target_link_libraries(cvodes SUNDIALS::cvodes_shared SUNDIALS::nvecserial_shared)
 endif()
-target_link_libraries(node_memory cdpr_kinetostatics_ros)
+foreach(name lateness node_memory)  # of the node's own functions
+  target_link_libraries(${name} cdpr_kinetostatics_ros)
+endforeach()
 
 file(GLOB estimation_study_sources CONFIGURE_DEPENDS benchmark/estimation_study/*.cpp)
 target_sources(estimation_study PRIVATE ${estimation_study_sources})

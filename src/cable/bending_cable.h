@@ -44,7 +44,7 @@ class BendingCable {
     return longestSagging(properties_.weight, chord, tension_a);
   }
 
-  bool linearise(bool adapt) { return shooting_.linearise(adapt); }
+  bool linearise(bool adapt, SolveLimits::Clock::time_point deadline) { return shooting_.linearise(adapt, deadline); }
   double dampingFor(const Eigen::Vector3d& change) const;
   double angleChange(const Eigen::Vector3d& change) const { return shooting_.angleChange(change); }
   void step(const Eigen::Vector3d& change, double damping) { shooting_.step(change, damping); }

@@ -1,6 +1,7 @@
 #include "cable/sagging_cable.h"
 
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace cdpr_kinetostatics {
@@ -46,8 +47,16 @@ double SaggingCable::longestLength(double chord, double tension_a) const {
   return std::visit([&](const auto& kind) { return kind.longestLength(chord, tension_a); }, kind_);
 }
 
-bool SaggingCable::linearise(bool adapt) {
-  return std::visit([&](auto& kind) { return kind.linearise(adapt); }, kind_);
+bool SaggingCable::linearise(bool adapt, SolveLimits::Clock::time_point deadline) {
+  return std::visit(
+      [&](auto& kind) {
+        if constexpr (std::is_same_v<decltype(kind), BendingCable&>) {
+          return kind.linearise(adapt, deadline);
+        } else {
+          return kind.linearise(adapt);  // takes microseconds
+        }
+      },
+      kind_);
 }
 
 const EndPoint& SaggingCable::end() const {

@@ -52,8 +52,8 @@ class SaggingCable {
   bool startsFromCatenary() const;
   double longestLength(double chord, double tension_a) const;
 
-  // adapt: choose integration steps anew. False: the cable cannot be evaluated here.
-  bool linearise(bool adapt);
+  // adapt: choose integration steps anew. False: the cable cannot be evaluated here, or not before the deadline.
+  bool linearise(bool adapt, SolveLimits::Clock::time_point deadline = SolveLimits::Clock::time_point::max());
   const EndPoint& end() const;
 
   // Damping that keeps the next step within reach of Newton's method, in (0, 1].

@@ -34,7 +34,7 @@ constexpr double kLongestTime = 1e6;
 std::unique_ptr<PlatformMeasurements> measurementsBlock(const RobotDescription& robot, const EstimatorOptions& options,
                                                         const CableMeasurements& measurements,
                                                         const Selection& selection, const std::vector<Model>& rungs,
-                                                        const RobotForces& start) {
+                                                        const RobotForces& start, Clock::time_point deadline) {
   using Measured = PlatformMeasurements::Measured;
   std::vector<PlatformMeasurements::Cable> cables;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
@@ -47,7 +47,7 @@ std::unique_ptr<PlatformMeasurements> measurementsBlock(const RobotDescription& 
   }
   const Wrench load_weight = (selection.load.cast<double>() / options.load_stddev.array()).matrix();
   return std::make_unique<PlatformMeasurements>(platformOf(robot, Wrench::Zero()), cables, load_weight,
-                                                options.tolerance);
+                                                SolveLimits{options.tolerance, deadline});
 }
 
 // The selected measurements, in the order of the block's residuals.
@@ -120,7 +120,6 @@ class Adjustment {
     ceres::Solve(options, &problem_, &summary);
     *iterations = static_cast<int>(summary.iterations.size());
     if (summary.IsSolutionUsable() && summary.termination_type != ceres::NO_CONVERGENCE) return {Code::kConverged, ""};
-    if (Clock::now() > deadline) return {Code::kTimedOut, "the time allowed ran out while the pose was estimated"};
     return {Code::kNotConverged,
             "no pose explains these lengths and tensions: check the robot's description and units"};
   }
@@ -179,16 +178,19 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
     adjusted.status = {Code::kTimedOut, "the time allowed ran out before the pose was estimated"};
     return adjusted;
   }
-  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, start), start);
+  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, start, deadline),
+                        start);
   adjusted.status = adjustment.solve(deadline, &adjusted.iterations);
-  if (!adjusted.status.ok()) return adjusted;
-  if (!adjustment.read(observationsOf(robot, selection), &adjusted)) {
+  if (adjusted.status.ok() && !adjustment.read(observationsOf(robot, selection), &adjusted)) {
     adjusted.status = {
         Code::kNotConverged,
         "these measurements lead to a pose at which a cable cannot be evaluated: check lengths and tensions"};
-    return adjusted;
   }
-  adjustment.judge(&adjusted);
+  if (adjusted.status.ok()) {
+    adjustment.judge(&adjusted);
+  } else if (SolveLimits::isPast(deadline)) {
+    adjusted.status = {Code::kTimedOut, "the time allowed ran out while the pose was estimated"};
+  }
   return adjusted;
 }
 

@@ -16,8 +16,8 @@ constexpr int kMaxIterations = 30;
 }  // namespace
 
 ClosedCable::ClosedCable(const Eigen::Vector3d& anchor, const Eigen::Vector3d& attachment, const SaggingCable& start,
-                         double tolerance)
-    : anchor_(anchor), attachment_(attachment), tolerance_(tolerance), cable_(start) {}
+                         const SolveLimits& limits)
+    : anchor_(anchor), attachment_(attachment), limits_(limits), cable_(start) {}
 
 // Newton's method for (V, L), with the nodes of a bending cable. The first step takes the last linearisation.
 bool ClosedCable::close(const Pose& pose, double density) {
@@ -27,7 +27,7 @@ bool ClosedCable::close(const Pose& pose, double density) {
   bool adapt = !linearised_;
   for (int k = 0; k < kMaxIterations; ++k) {
     const bool fresh = k > 0 || !linearised_;
-    if (fresh && !cable_.linearise(adapt)) return false;
+    if (fresh && !cable_.linearise(adapt, limits_.deadline)) return false;
     const Eigen::Matrix<double, 2, 3>& jacobian = cable_.end().jacobian;
     const Eigen::Matrix2d inverse = jacobian.rightCols<2>().inverse();
     Eigen::Vector3d change(density * x - cable_.horizontalForce(), 0.0, 0.0);
@@ -37,7 +37,7 @@ bool ClosedCable::close(const Pose& pose, double density) {
     const double size = std::max({change.head<2>().norm() / cable_.tensionA(), std::abs(change.z()) / cable_.length(),
                                   cable_.angleChange(change)});
     cable_.step(change, std::min(1.0, cable_.dampingFor(change)));
-    if (size <= tolerance_ && fresh && !adapt) {
+    if (size <= limits_.tolerance && fresh && !adapt) {
       const Eigen::Matrix<double, 2, 6> end_by_pose = plane_.toPlane() * motionOfPoint(plane_.arm);
       by_pose_.row(0) = density * end_by_pose.row(0);
       by_pose_.bottomRows<2>() = inverse * (end_by_pose - jacobian.col(0) * by_pose_.row(0));

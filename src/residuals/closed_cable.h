@@ -14,10 +14,10 @@ namespace cdpr_kinetostatics {
 
 class ClosedCable {
  public:
-  // anchor A [m], world; attachment b [m], platform frame; start: where the first search begins. tolerance: forces and
-  // the length change by less than this, relative.
+  // anchor A [m], world; attachment b [m], platform frame; start: where the first search begins. Closed when
+  // forces and the length change by less than the tolerance, relative; not tried after the deadline.
   ClosedCable(const Eigen::Vector3d& anchor, const Eigen::Vector3d& attachment, const SaggingCable& start,
-              double tolerance);
+              const SolveLimits& limits);
 
   // density: H/x [N/m]. Starts from what it found last. False, and in no usable state, where nothing was found.
   bool close(const Pose& pose, double density);
@@ -37,7 +37,7 @@ class ClosedCable {
 
  private:
   Eigen::Vector3d anchor_, attachment_;
-  double tolerance_;
+  SolveLimits limits_;
   SaggingCable cable_;
   CablePlane plane_;
   double density_ = 0.0;

@@ -17,11 +17,11 @@ struct PlatformMeasurements::Rows {
 };
 
 PlatformMeasurements::PlatformMeasurements(const Platform& platform, const std::vector<Cable>& cables,
-                                           const Wrench& load_weight, double tolerance)
+                                           const Wrench& load_weight, const SolveLimits& limits)
     : platform_(platform), load_weight_(load_weight) {
   int rows = (load_weight.array() > 0.0).any() ? (platform.rigid_body ? 6 : 3) : 0;
   for (const Cable& cable : cables) {
-    cables_.emplace_back(cable.anchor, cable.attachment, cable.start, tolerance);
+    cables_.emplace_back(cable.anchor, cable.attachment, cable.start, limits);
     lengths_.push_back(cable.length);
     tensions_.push_back(cable.tension);
     rows += static_cast<int>(cable.length.has_value()) + static_cast<int>(cable.tension.has_value());

@@ -51,9 +51,9 @@ class PlatformMeasurements : public ceres::DynamicCostFunction {
     std::optional<Measured> length, tension;
   };
 
-  // load_weight [1/N, 1/(N m)]; tolerance: that of closure, relative.
+  // load_weight [1/N, 1/(N m)]; limits: of closure. After the deadline no bending cable is closed any more.
   PlatformMeasurements(const Platform& platform, const std::vector<Cable>& cables, const Wrench& load_weight,
-                       double tolerance);
+                       const SolveLimits& limits);
 
   // False where a cable cannot be closed or numbers overflow: a solver then rejects its step.
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;

@@ -33,7 +33,7 @@ class EveryModelClosed : public testing::TestWithParam<Model> {
     const double x = cablePlane(s.anchor, s.attachment, pose).x;
     SaggingCable start(s.cable, GetParam(), kTolerance);
     start.start(s.parameters[3](0), {density * x, s.parameters[2](1)});
-    return {s, pose, density, ClosedCable(s.anchor, s.attachment, start, kTolerance)};
+    return {s, pose, density, ClosedCable(s.anchor, s.attachment, start, {kTolerance})};
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -66,7 +67,7 @@ TEST_P(PlatformMeasurementsBlock, PassesTheGradientChecker) {
     // Away from equilibrium, as an adjustment's iterations are.
     c.parameters[0] += 1e-3 * c.robot.span() * dice_.direction();
     c.parameters[2] *= 1.1;
-    const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, kTolerance);
+    const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, {kTolerance});
     const CheckedJacobians checked = checkedJacobians(block, c.parameters);
     ASSERT_TRUE(checked.valid) << "state " << i;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -80,7 +81,7 @@ TEST_P(PlatformMeasurementsBlock, PassesTheGradientChecker) {
 
 TEST_P(PlatformMeasurementsBlock, HasTheJacobianOfCentralDifferences) {
   Case c = next();
-  const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, kTolerance);
+  const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, {kTolerance});
   const Evaluation own = evaluate(block, c.parameters);
   ASSERT_TRUE(own.valid && own.finite());
   for (const std::size_t k : {0, 2}) {
@@ -96,7 +97,7 @@ TEST_P(PlatformMeasurementsBlock, ResidualsAreThoseOfTheHeader) {
   const Case c = next();
   Wrench external;
   external << 3.0, -2.0, 5.0, 1.0, -1.0, 2.0;
-  const PlatformMeasurements block(platformOf(c.robot, external), c.cables, c.load_weight, kTolerance);
+  const PlatformMeasurements block(platformOf(c.robot, external), c.cables, c.load_weight, {kTolerance});
   std::vector<double> expected;
   std::vector<PlaneForces> forces;
   for (std::size_t i = 0; i < c.cables.size(); ++i) {
@@ -123,7 +124,7 @@ TEST_P(PlatformMeasurementsBlock, ResidualsAreThoseOfTheHeader) {
 // solveForward() reports.
 TEST_P(PlatformMeasurementsBlock, StiffnessIsThatOfForwardKinetostatics) {
   const Case c = next();
-  const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, kTolerance);
+  const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, {kTolerance});
   ASSERT_TRUE(evaluate(block, c.parameters).valid);
   RobotSolverOptions options = patient(std::get<1>(GetParam()), kTolerance);
   options.compute_stiffness = true;
@@ -150,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, PlatformMeasurementsBlock,
 TEST(PlatformMeasurements, GoesOnAfterARefusal) {
   Dice dice(62);
   const Case c = randomCase("cogiro", Model::kBending, &dice);
-  const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, kTolerance);
+  const PlatformMeasurements block(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, {kTolerance});
   const Evaluation before = evaluate(block, c.parameters);
   ASSERT_TRUE(before.valid);
   ParameterBlocks bad = c.parameters;
@@ -159,6 +160,16 @@ TEST(PlatformMeasurements, GoesOnAfterARefusal) {
   const Evaluation after = evaluate(block, c.parameters);
   ASSERT_TRUE(after.valid);
   EXPECT_LT((after.residuals - before.residuals).norm(), 1e-6 * (1.0 + before.residuals.norm()));
+}
+
+TEST(PlatformMeasurementsBlockInTime, ClosesNoCableAfterTheDeadline) {
+  Dice dice(61);
+  const Case c = randomCase("cogiro", Model::kBending, &dice);
+  const auto block = [&](SolveLimits::Clock::time_point deadline) {
+    return PlatformMeasurements(platformOf(c.robot, Wrench::Zero()), c.cables, c.load_weight, {kTolerance, deadline});
+  };
+  EXPECT_TRUE(evaluate(block(SolveLimits::Clock::time_point::max()), c.parameters).valid);
+  EXPECT_FALSE(evaluate(block(SolveLimits::Clock::now() - std::chrono::seconds(1)), c.parameters).valid);
 }
 
 }  // namespace

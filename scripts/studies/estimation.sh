@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 build -DCMAKE_BUILD_TYPE=Release -DCDPR_BUILD_BENCHMARKS=ON
 results=$workspace/estimation
 mkdir -p "$results"
-for experiment in consistency faults load observability timing; do
+for experiment in consistency faults offsets load observability timing; do
   "$workspace/devel/lib/cdpr_kinetostatics/estimation_study" --directory "$results" "$@" "$experiment" \
     2>"$results/$experiment.log" | tee "$results/$experiment.md"
 done

@@ -189,4 +189,13 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   return adjusted;
 }
 
+Adjusted evaluate(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at) {
+  Adjusted adjusted;
+  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, at), at);
+  const bool evaluated = adjustment.read(observationsOf(robot, selection), &adjusted);
+  adjusted.status.code = evaluated ? Code::kConverged : Code::kNotConverged;
+  return adjusted;
+}
+
 }  // namespace cdpr_kinetostatics

@@ -8,6 +8,8 @@
 #include "estimation/estimate_report.h"
 #include "estimation/fault_search.h"
 #include "estimation/plausibility.h"
+#include "estimation/rival_faults.h"
+#include "estimation/variance_window.h"
 #include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
@@ -111,6 +113,7 @@ class PoseEstimator::Tracker {
   };
 
   Estimate solve(MeasuredRobot* measured);
+  Estimate judged(const MeasuredRobot& measured, Candidate* best);
   Found find(MeasuredRobot* measured) const;
   Found fromLast(MeasuredRobot* measured) const;
   Found afresh(MeasuredRobot* measured, const Pose& seed) const;
@@ -120,8 +123,9 @@ class PoseEstimator::Tracker {
   Pose seed_;
   Pose near_;  // last pose, or the seed
   std::optional<RobotForces> last_;
-  Selection left_out_;        // by the last estimate
-  int followed_ = 0;          // messages since a fresh start competed
+  Selection left_out_;  // by the last estimate
+  int followed_ = 0;    // messages since a fresh start competed
+  VarianceWindow window_;
   std::vector<Model> rungs_;  // AUTO: those in use; empty at first
 };
 
@@ -151,7 +155,7 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
   }
   Estimate estimate;
   if (status.ok()) {
-    estimate = report(*measured, &found.best);
+    estimate = judged(*measured, &found.best);
     estimate.warm_started = found.warm_started;
     last_ = found.best.adjusted.unknowns;
     left_out_ = leftOut(*measured, found.best);
@@ -166,6 +170,28 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
     rungs_.clear();
   }
   estimate.solution.report.iterations = found.iterations;
+  return estimate;
+}
+
+// Faults are judged by the deviations given, else a drum that slips slowly would never be one. What they leave is
+// weighed by the deviations that it shows.
+Estimate PoseEstimator::Tracker::judged(const MeasuredRobot& measured, Candidate* best) {
+  std::vector<Candidate> rivals = rivalsOf(measured, best);
+  window_.add(*best);
+  const DeviationFactors factors = window_.factors(*best);
+  const EstimatorOptions options = widened(options_, factors);
+  const MeasuredRobot believed{robot_,        options, measured.measurements, measured.deadline, measured.available,
+                               measured.rungs};
+  if (isWider(factors)) {
+    const auto again = [&](Candidate* candidate) {
+      Candidate wide = adjust(believed, candidate->adjusted.unknowns, candidate->selection);
+      if (wide.adjusted.status.ok()) *candidate = std::move(wide);
+    };
+    again(best);
+    for (Candidate& rival : rivals) again(&rival);
+  }
+  Estimate estimate = report(believed, best, rivals, unprovenFaults(believed, *best));
+  estimate.deviation_factors = factors;
   return estimate;
 }
 
@@ -234,6 +260,7 @@ void PoseEstimator::Tracker::reset(const Pose& seed) {
   last_.reset();
   rungs_.clear();
   followed_ = 0;
+  window_.clear();
   seed_ = near_ = seed;
 }
 

@@ -6,6 +6,7 @@
 
 #include "estimation/estimate_covariance.h"
 #include "estimation/estimate_error.h"
+#include "estimation/fault_names.h"
 #include "estimation/fault_search.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
@@ -80,6 +81,14 @@ Estimate report(const MeasuredRobot& measured, Candidate* candidate, const std::
     text << "the measurements leave " << estimate.unobservable_directions
          << " direction(s) of the pose unknown; they carry a variance of " << kUnknownVariance;
     message = message.empty() ? text.str() : text.str() + "; " + message;
+  }
+  if (!rivals.empty()) {
+    const std::string text =
+        "which measurement is faulty cannot be told: " +
+        joined(faultNames(estimate.solution, left_out.lengths, left_out.tensions, left_out.load)) +
+        " left out, but it may be instead: " +
+        joined(faultNames(estimate.solution, estimate.length_suspect, estimate.tension_suspect, estimate.load_suspect));
+    message = message.empty() ? text : text + "; " + message;
   }
   return estimate;
 }

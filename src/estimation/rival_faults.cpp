@@ -15,7 +15,7 @@ constexpr double kAsLikely = 9.0;
 
 // What an exchange of faults does to the sum of squares is foreseen to first order. A rival that is foreseen to lower
 // it by less than this share of what the fault found does is none.
-constexpr double kForeseen = 0.8;
+constexpr double kForeseen = 0.5;
 
 // A residual of more standard deviations than this may be that of a fault: of 22 measurements without one, one is so
 // large in 6 % of messages.

@@ -1,6 +1,7 @@
 #include "ros/diagnostics.h"
 
 #include "cable/text.h"
+#include "estimation/fault_names.h"
 
 namespace cdpr_kinetostatics {
 
@@ -8,12 +9,6 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
 namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
 
 // Empty if measurements agree within their deviations.
 std::string disagreementOf(const DeviationFactors& factors) {

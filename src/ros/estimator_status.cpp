@@ -3,26 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/fault_names.h"
+
 namespace cdpr_kinetostatics {
-
-namespace {
-
-std::vector<std::string> names(const Estimate& estimate, const std::vector<bool>& lengths,
-                               const std::vector<bool>& tensions, const Eigen::Array<bool, 6, 1>& load) {
-  static const char* const kComponents[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
-  std::vector<std::string> named;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const std::string& cable = estimate.solution.cables[i].name;
-    if (lengths[i]) named.push_back("length of " + cable);
-    if (tensions[i]) named.push_back("tension of " + cable);
-  }
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    if (load(k)) named.push_back(std::string("known load, ") + kComponents[k]);
-  }
-  return named;
-}
-
-}  // namespace
 
 void EstimatorStatus::add(const Estimate& estimate, const KinetostaticState& state) {
   last = state.report;
@@ -37,8 +20,8 @@ void EstimatorStatus::add(const Estimate& estimate, const KinetostaticState& sta
     return;
   }
   if (!last.warm_started) ++cold_starts;
-  outliers = names(estimate, estimate.length_outlier, estimate.tension_outlier, estimate.load_outlier);
-  suspects = names(estimate, estimate.length_suspect, estimate.tension_suspect, estimate.load_suspect);
+  outliers = faultNames(estimate.solution, estimate.length_outlier, estimate.tension_outlier, estimate.load_outlier);
+  suspects = faultNames(estimate.solution, estimate.length_suspect, estimate.tension_suspect, estimate.load_suspect);
   deviation_factors = estimate.deviation_factors;
   unobservable_directions = estimate.unobservable_directions;
   redundancy = estimate.redundancy;

@@ -70,8 +70,10 @@ void VarianceWindow::add(const Candidate& candidate) {
   messages_.push_back(message);
 }
 
+// Of those that are left out alone, the largest of each kind does not count: a single reading may go wrong.
 VarianceWindow::Message VarianceWindow::sum() const {
   Message all;
+  Eigen::Vector3d largest = Eigen::Vector3d::Zero();
   for (std::size_t m = 0; m < messages_.size(); ++m) {
     all.squares += messages_[m].squares;
     all.redundancy += messages_[m].redundancy;
@@ -79,8 +81,10 @@ VarianceWindow::Message VarianceWindow::sum() const {
     for (const LeftOut& one : messages_[m].left_out) {
       const bool before = m > 0 && contains(messages_[m - 1].left_out, one.observation);
       if (before || contains(messages_[m + 1].left_out, one.observation)) continue;
-      all.squares(kindOf(one.observation)) += one.gain;
-      all.redundancy(kindOf(one.observation)) += one.redundancy;
+      const Eigen::Index kind = kindOf(one.observation);
+      if (largest(kind) > 0.0) all.redundancy(kind) += one.redundancy;
+      all.squares(kind) += std::min(one.gain, largest(kind));
+      largest(kind) = std::max(one.gain, largest(kind));
     }
   }
   return all;

@@ -10,7 +10,7 @@ namespace cdpr_kinetostatics {
 
 // Sums of squares of each kind of observation: what is left of each message without its faults. What is left out of one
 // message alone, and neither of the one before nor of the one after, is no fault of a sensor but a deviation larger
-// than said.
+// than said, if it happens more than once.
 class VarianceWindow {
  public:
   void add(const Candidate& candidate);

@@ -83,12 +83,14 @@ TEST_F(VarianceFactors, CountWhatIsLeftOutNowAndThen) {
   const Candidate good = adjusted(drawn(0.0, 0.0));
   Candidate faulty = good;
   faulty.left_out = {gross};
-  VarianceWindow always, sometimes;
+  VarianceWindow always, sometimes, once;
   for (int k = 0; k < kWindow; ++k) {
     always.add(faulty);
     sometimes.add(k % 3 == 1 ? faulty : good);
+    once.add(k == 4 ? faulty : good);
   }
   EXPECT_FALSE(isWider(always.factors(faulty)));
+  EXPECT_FALSE(isWider(once.factors(good)));
   EXPECT_GT(sometimes.factors(good).lengths, 3.0);
   EXPECT_EQ(sometimes.factors(good).tensions, 1.0);
 }

@@ -16,9 +16,13 @@ using namespace cdpr_kinetostatics;
 namespace po = boost::program_options;
 
 int main(int argc, char** argv) {
-  const std::map<std::string, void (*)(const Study&)> experiments = {
-      {"consistency", studyConsistency},     {"faults", studyFaults},   {"load", studyLoadChange},
-      {"observability", studyObservability}, {"offsets", studyOffsets}, {"timing", studyTiming}};
+  const std::map<std::string, void (*)(const Study&)> experiments = {{"consistency", studyConsistency},
+                                                                     {"faults", studyFaults},
+                                                                     {"load", studyLoadChange},
+                                                                     {"observability", studyObservability},
+                                                                     {"offsets", studyOffsets},
+                                                                     {"recovery", studyRecovery},
+                                                                     {"timing", studyTiming}};
   try {
     Study study;
     std::string model;
@@ -29,7 +33,8 @@ int main(int argc, char** argv) {
         ("directory", po::value(&study.directory)->default_value("."), "of the CSV files")  //
         ("model", po::value(&model)->default_value("catenary"),
          "cable model of robot and estimator; timing always takes catenary and bending")  //
-        ("experiment", po::value(&chosen), "consistency, faults, load, observability, offsets, timing; none: all");
+        ("experiment", po::value(&chosen),
+         "consistency, faults, load, observability, offsets, recovery, timing; none: all");
     po::variables_map values;
     po::positional_options_description positional;
     positional.add("experiment", -1);

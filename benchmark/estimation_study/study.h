@@ -24,6 +24,8 @@ void studyOffsets(const Study& study);
 void studyLoadChange(const Study& study);
 // Standard deviations, and what the measurements leave open.
 void studyObservability(const Study& study);
+// After random sequences of hostile messages: do ten good ones bring the answer of an estimator without a past?
+void studyRecovery(const Study& study);
 // Time of an update.
 void studyTiming(const Study& study);
 

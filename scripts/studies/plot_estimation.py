@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt
 
 ROBOT = "cogiro"  # of the payload
 BINS = [0.5 * k for k in range(51)]
-TABLES = ("consistency", "faults", "offsets", "load", "observability", "timing")
+TABLES = ("consistency", "faults", "offsets", "recovery", "load", "observability", "timing")
 GIVEN = (("all", "tab:blue"), ("load unknown", "tab:orange"), ("lengths only", "tab:green"))
 
 
@@ -88,7 +88,7 @@ def main():
     parser.add_argument("docs", help="of estimation.md and images/")
     arguments = parser.parse_args()
     figure, axes = plt.subplot_mosaic(
-        [["consistency", "faults", "offsets", "load"], ["consistency", "faults", "error"]], figsize=(13, 4), constrained_layout=True
+        [["consistency", "faults", "offsets", "recovery", "load"], ["consistency", "faults", "error"]], figsize=(13, 4), constrained_layout=True
     )
     plot_consistency(axes["consistency"], read(arguments.directory, "consistency.csv"))
     plot_faults(axes["faults"], read(arguments.directory, "faults.csv"))

@@ -75,9 +75,10 @@ constexpr double kFarTurn = 0.2;   // [rad]
 // many messages: it takes many times as long as following, and a wrong pose must not last for ten.
 constexpr int kFreshStart = 5;
 
+bool isTurned(const Pose& from, const Pose& to) { return to.orientation.angularDistance(from.orientation) > kFarTurn; }
+
 bool isFar(const RobotDescription& robot, const Pose& from, const Pose& to) {
-  return (to.position - from.position).norm() > kFarMove * robot.span() ||
-         to.orientation.angularDistance(from.orientation) > kFarTurn;
+  return (to.position - from.position).norm() > kFarMove * robot.span() || isTurned(from, to);
 }
 
 bool isSameAnswer(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
@@ -117,6 +118,7 @@ class PoseEstimator::Tracker {
   Found find(MeasuredRobot* measured) const;
   Found fromLast(MeasuredRobot* measured) const;
   Found afresh(MeasuredRobot* measured, const Pose& seed) const;
+  void compete(MeasuredRobot* measured, const Pose& seed, bool wins_ties, Found* found) const;
 
   const RobotDescription& robot_;
   const EstimatorOptions options_;
@@ -211,21 +213,29 @@ PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(MeasuredRobot* measur
       return found;
     }
   }
-  for (const Pose* seed : {&seed_, &robot_.home, &near_}) {
-    const bool first = seed == &seed_;
-    if (!first && (isSame(*seed, seed_) || isBeyondDoubt(*measured, found.best))) continue;
-    if (seed == &near_ && isNoise(found.best)) continue;
-    Found fresh = afresh(measured, *seed);
-    const int iterations = found.iterations + fresh.iterations;
-    const bool better = continues || !first ? isBetter(*measured, fresh.best, found.best)
-                                            : !isBetter(*measured, found.best, fresh.best);
-    if (better) {
-      fresh.warm_started = found.warm_started && isSameAnswer(*measured, found.best, fresh.best);
-      found = std::move(fresh);
-    }
-    found.iterations = iterations;
+  compete(measured, seed_, !continues, &found);
+  if (!isSame(robot_.home, seed_) && !isBeyondDoubt(*measured, found.best)) {
+    compete(measured, robot_.home, false, &found);
+  }
+  if (!isSame(near_, seed_) && !isNoise(found.best)) compete(measured, near_, false, &found);
+  // A start far away may end on its head, where some of the measurements fit.
+  const Pose at = found.best.adjusted.unknowns.pose;
+  if (found.best.adjusted.status.ok() && isTurned(seed_, at) && !isBeyondDoubt(*measured, found.best)) {
+    compete(measured, {at.position, seed_.orientation}, false, &found);
   }
   return found;
+}
+
+void PoseEstimator::Tracker::compete(MeasuredRobot* measured, const Pose& seed, bool wins_ties, Found* found) const {
+  Found fresh = afresh(measured, seed);
+  const int iterations = found->iterations + fresh.iterations;
+  const bool better =
+      wins_ties ? !isBetter(*measured, found->best, fresh.best) : isBetter(*measured, fresh.best, found->best);
+  if (better) {
+    fresh.warm_started = found->warm_started && isSameAnswer(*measured, found->best, fresh.best);
+    *found = std::move(fresh);
+  }
+  found->iterations = iterations;
 }
 
 PoseEstimator::Tracker::Found PoseEstimator::Tracker::fromLast(MeasuredRobot* measured) const {

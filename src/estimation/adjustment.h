@@ -52,4 +52,8 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
                 const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start,
                 std::chrono::steady_clock::time_point deadline);
 
+// Residuals and Jacobian at the state given, without adjusting it: observations have no redundancies yet.
+Adjusted evaluate(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at);
+
 }  // namespace cdpr_kinetostatics

@@ -1,0 +1,132 @@
+#include "estimation/rival_faults.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <utility>
+
+#include "estimation/fault_search.h"
+
+namespace cdpr_kinetostatics {
+namespace {
+
+// A rival may have so much larger a sum of squares: where it is the truth, noise makes the difference larger in three
+// of a thousand messages.
+constexpr double kAsLikely = 9.0;
+
+// What an exchange of faults does to the sum of squares is foreseen to first order. A rival that is foreseen to lower
+// it by less than this share of what the fault found does is none.
+constexpr double kForeseen = 0.5;
+
+// A residual of more standard deviations than this may be that of a fault: of 22 measurements without one, one is so
+// large in 6 % of messages.
+constexpr double kUnproven = 3.0;
+
+std::vector<Observation> listed(const Selection& selection) {
+  std::vector<Observation> observations;
+  for (std::size_t i = 0; i < selection.lengths.size(); ++i) {
+    if (selection.lengths[i]) observations.push_back({Observation::Kind::kLength, i});
+    if (selection.tensions[i]) observations.push_back({Observation::Kind::kTension, i});
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (selection.load(static_cast<Eigen::Index>(k))) observations.push_back({Observation::Kind::kLoad, k});
+  }
+  return observations;
+}
+
+bool isSame(const Observation& a, const Observation& b) { return a.kind == b.kind && a.index == b.index; }
+
+// By how much the sum of squares falls without each observation, to first order about a state that explains the others
+// (docs/theory.md section 5).
+std::vector<LeftOut> foreseen(const Adjusted& at) {
+  const Eigen::MatrixXd& jacobian = at.jacobian;
+  const Eigen::VectorXd norms = jacobian.colwise().norm();
+  const Eigen::VectorXd inverse_norms = (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(jacobian * inverse_norms.asDiagonal());
+  const Eigen::MatrixXd range =
+      decomposition.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), decomposition.rank());
+  Eigen::VectorXd residuals(jacobian.rows());
+  for (Eigen::Index k = 0; k < residuals.size(); ++k) {
+    residuals(k) = at.observations[static_cast<std::size_t>(k)].residual;
+  }
+  residuals -= range * (range.transpose() * residuals);
+  std::vector<LeftOut> gains;
+  for (Eigen::Index k = 0; k < residuals.size(); ++k) {
+    const double redundancy = 1.0 - range.row(k).squaredNorm();
+    if (redundancy < kTestable) continue;
+    gains.push_back({at.observations[static_cast<std::size_t>(k)], residuals(k) * residuals(k) / redundancy, 1.0});
+  }
+  return gains;
+}
+
+// One of the faults taken back, and what may be at fault in its place.
+struct Exchange {
+  Selection with;
+  LeftOut fault;
+  std::vector<LeftOut> suspects;
+};
+
+Exchange exchangeOf(const MeasuredRobot& measured, const Candidate& best, const Observation& fault) {
+  Exchange exchange{best.selection, {fault}, {}};
+  use(fault, true, &exchange.with);
+  const Adjusted at = evaluate(measured.robot, measured.options, measured.measurements, exchange.with, measured.rungs,
+                               best.adjusted.unknowns);
+  if (!at.status.ok()) return exchange;
+  const std::vector<LeftOut> gains = foreseen(at);
+  for (const LeftOut& gain : gains) {
+    if (isSame(gain.observation, fault)) exchange.fault = gain;
+  }
+  const double needed = std::max(kForeseen * (exchange.fault.gain - kAsLikely), 0.0);
+  for (const LeftOut& gain : gains) {
+    if (gain.gain > needed && !isSame(gain.observation, fault)) exchange.suspects.push_back(gain);
+  }
+  return exchange;
+}
+
+std::vector<LeftOut> exchanged(std::vector<LeftOut> faults, const LeftOut& fault, const LeftOut& suspect) {
+  std::replace_if(
+      faults.begin(), faults.end(), [&](const LeftOut& one) { return isSame(one.observation, fault.observation); },
+      suspect);
+  return faults;
+}
+
+}  // namespace
+
+std::vector<Candidate> rivalsOf(const MeasuredRobot& measured, Candidate* best) {
+  std::vector<Exchange> exchanges;
+  for (const Observation& fault : listed(leftOut(measured, *best))) {
+    exchanges.push_back(exchangeOf(measured, *best, fault));
+    best->left_out.push_back(exchanges.back().fault);
+  }
+  std::vector<Candidate> rivals;
+  for (const Exchange& exchange : exchanges) {
+    for (const LeftOut& suspect : exchange.suspects) {
+      Selection without = exchange.with;
+      use(suspect.observation, false, &without);
+      Candidate rival = adjust(measured, best->adjusted.unknowns, without);
+      if (!rival.adjusted.status.ok() || !rival.adjusted.stable) continue;
+      rival.left_out = exchanged(best->left_out, exchange.fault, suspect);
+      rivals.push_back(std::move(rival));
+    }
+  }
+  for (Candidate& rival : rivals) {
+    if (isBetter(measured, rival, *best)) std::swap(rival, *best);
+  }
+  const double most = best->adjusted.weighted_squares + kAsLikely;
+  const auto unlikely = [&](const Candidate& rival) { return rival.adjusted.weighted_squares > most; };
+  rivals.erase(std::remove_if(rivals.begin(), rivals.end(), unlikely), rivals.end());
+  return rivals;
+}
+
+std::vector<Candidate> unprovenFaults(const MeasuredRobot& measured, const Candidate& best) {
+  std::vector<Candidate> unproven;
+  for (const Observation& suspect : best.adjusted.observations) {
+    if (statistic(suspect) < kUnproven) continue;
+    Selection without = best.selection;
+    use(suspect, false, &without);
+    Candidate without_it = adjust(measured, best.adjusted.unknowns, without);
+    if (without_it.adjusted.status.ok() && without_it.adjusted.stable) unproven.push_back(std::move(without_it));
+  }
+  return unproven;
+}
+
+}  // namespace cdpr_kinetostatics

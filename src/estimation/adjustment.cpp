@@ -160,7 +160,10 @@ class Adjustment {
       adjusted->cables.push_back(cable);
     }
     adjusted->observations = std::move(observations);
-    for (std::size_t k = 0; k < residuals.size(); ++k) adjusted->observations[k].residual = residuals[k];
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      adjusted->observations[k].residual = residuals[k];
+      adjusted->observations[k].row = static_cast<Eigen::Index>(k);
+    }
     adjusted->jacobian = dense(sparse);
     if (rigid_) adjusted->jacobian.middleCols<3>(3) *= 0.5;  // the manifold's tangent is half the rotation vector
     return true;

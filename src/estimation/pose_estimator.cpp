@@ -192,7 +192,15 @@ Estimate PoseEstimator::Tracker::judged(const MeasuredRobot& measured, Candidate
     again(best);
     for (Candidate& rival : rivals) again(&rival);
   }
-  Estimate estimate = report(believed, best, rivals, unprovenFaults(believed, *best));
+  const std::vector<Candidate> unproven = unprovenFaults(believed, *best);
+  Estimate estimate;
+  if (Clock::now() > measured.deadline) {
+    estimate.solution = refusedRobot(
+        options_.model,
+        {Code::kTimedOut, "the time allowed ran out before it was certain which measurements may be at fault"});
+    return estimate;
+  }
+  estimate = report(believed, best, rivals, unproven);
   estimate.deviation_factors = factors;
   return estimate;
 }

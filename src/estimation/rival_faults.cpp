@@ -1,9 +1,11 @@
 #include "estimation/rival_faults.h"
 
-#include <Eigen/QR>
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <utility>
 
+#include "estimation/adjustment_statistics.h"
 #include "estimation/fault_search.h"
 
 namespace cdpr_kinetostatics {
@@ -33,27 +35,17 @@ std::vector<Observation> listed(const Selection& selection) {
   return observations;
 }
 
-bool isSame(const Observation& a, const Observation& b) { return a.kind == b.kind && a.index == b.index; }
-
 // By how much the sum of squares falls without each observation, to first order about a state that explains the others
 // (docs/theory.md section 5).
 std::vector<LeftOut> foreseen(const Adjusted& at) {
-  const Eigen::MatrixXd& jacobian = at.jacobian;
-  const Eigen::VectorXd norms = jacobian.colwise().norm();
-  const Eigen::VectorXd inverse_norms = (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(jacobian * inverse_norms.asDiagonal());
-  const Eigen::MatrixXd range =
-      decomposition.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), decomposition.rank());
-  Eigen::VectorXd residuals(jacobian.rows());
-  for (Eigen::Index k = 0; k < residuals.size(); ++k) {
-    residuals(k) = at.observations[static_cast<std::size_t>(k)].residual;
-  }
+  const Eigen::MatrixXd range = explainable(at.jacobian);
+  Eigen::VectorXd residuals(range.rows());
+  for (const Observation& o : at.observations) residuals(o.row) = o.residual;
   residuals -= range * (range.transpose() * residuals);
   std::vector<LeftOut> gains;
-  for (Eigen::Index k = 0; k < residuals.size(); ++k) {
-    const double redundancy = 1.0 - range.row(k).squaredNorm();
-    if (redundancy < kTestable) continue;
-    gains.push_back({at.observations[static_cast<std::size_t>(k)], residuals(k) * residuals(k) / redundancy, 1.0});
+  for (const Observation& o : at.observations) {
+    const double redundancy = 1.0 - range.row(o.row).squaredNorm();
+    if (redundancy >= kTestable) gains.push_back({o, std::pow(residuals(o.row), 2) / redundancy, 1.0});
   }
   return gains;
 }
@@ -82,35 +74,47 @@ Exchange exchangeOf(const MeasuredRobot& measured, const Candidate& best, const 
   return exchange;
 }
 
-std::vector<LeftOut> exchanged(std::vector<LeftOut> faults, const LeftOut& fault, const LeftOut& suspect) {
-  std::replace_if(
-      faults.begin(), faults.end(), [&](const LeftOut& one) { return isSame(one.observation, fault.observation); },
-      suspect);
-  return faults;
+bool isKnown(const std::vector<Candidate>& rivals, const Selection& selection) {
+  return std::any_of(rivals.begin(), rivals.end(),
+                     [&](const Candidate& rival) { return isSame(rival.selection, selection); });
+}
+
+// Adds those with one of best's faults exchanged, as far as time allows. Best gets what its faults would bring.
+void addExchanges(const MeasuredRobot& measured, Candidate* best, std::vector<Candidate>* rivals) {
+  best->left_out.clear();
+  for (const Observation& fault : listed(leftOut(measured, *best))) {
+    if (std::chrono::steady_clock::now() >= measured.deadline) return;
+    const Exchange exchange = exchangeOf(measured, *best, fault);
+    best->left_out.push_back(exchange.fault);
+    for (const LeftOut& suspect : exchange.suspects) {
+      Selection without = exchange.with;
+      use(suspect.observation, false, &without);
+      if (isKnown(*rivals, without)) continue;
+      Candidate rival = adjust(measured, best->adjusted.unknowns, without);
+      if (rival.adjusted.status.ok() && rival.adjusted.stable) rivals->push_back(std::move(rival));
+    }
+  }
+}
+
+bool takeBetter(const MeasuredRobot& measured, Candidate* best, std::vector<Candidate>* rivals) {
+  bool taken = false;
+  for (Candidate& rival : *rivals) {
+    if (!isBetter(measured, rival, *best)) continue;
+    std::swap(rival, *best);
+    taken = true;
+  }
+  return taken;
 }
 
 }  // namespace
 
+// A rival that turns out better takes the place of the best one, and gets rivals of its own. This ends, for each one is
+// better than the one before.
 std::vector<Candidate> rivalsOf(const MeasuredRobot& measured, Candidate* best) {
-  std::vector<Exchange> exchanges;
-  for (const Observation& fault : listed(leftOut(measured, *best))) {
-    exchanges.push_back(exchangeOf(measured, *best, fault));
-    best->left_out.push_back(exchanges.back().fault);
-  }
   std::vector<Candidate> rivals;
-  for (const Exchange& exchange : exchanges) {
-    for (const LeftOut& suspect : exchange.suspects) {
-      Selection without = exchange.with;
-      use(suspect.observation, false, &without);
-      Candidate rival = adjust(measured, best->adjusted.unknowns, without);
-      if (!rival.adjusted.status.ok() || !rival.adjusted.stable) continue;
-      rival.left_out = exchanged(best->left_out, exchange.fault, suspect);
-      rivals.push_back(std::move(rival));
-    }
-  }
-  for (Candidate& rival : rivals) {
-    if (isBetter(measured, rival, *best)) std::swap(rival, *best);
-  }
+  do {
+    addExchanges(measured, best, &rivals);
+  } while (takeBetter(measured, best, &rivals));
   const double most = best->adjusted.weighted_squares + kAsLikely;
   const auto unlikely = [&](const Candidate& rival) { return rival.adjusted.weighted_squares > most; };
   rivals.erase(std::remove_if(rivals.begin(), rivals.end(), unlikely), rivals.end());

@@ -1,8 +1,9 @@
 #include "estimation/variance_window.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "estimation/adjustment_statistics.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -28,30 +29,19 @@ double noiseLimit(double freedoms) {
 Eigen::Index kindOf(const Observation& observation) { return static_cast<Eigen::Index>(observation.kind); }
 
 bool contains(const std::vector<LeftOut>& left_out, const Observation& o) {
-  return std::any_of(left_out.begin(), left_out.end(), [&](const LeftOut& other) {
-    return other.observation.kind == o.kind && other.observation.index == o.index;
-  });
+  return std::any_of(left_out.begin(), left_out.end(),
+                     [&](const LeftOut& other) { return isSame(other.observation, o); });
 }
 
 // (row, column): the share of a column's variance, summed over its observations, that shows in the squared residuals of
 // the row's.
 Eigen::Matrix3d shares(const Adjusted& adjusted) {
-  const Eigen::MatrixXd& jacobian = adjusted.jacobian;
-  const Eigen::VectorXd norms = jacobian.colwise().norm();
-  const Eigen::VectorXd inverse_norms = (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(jacobian * inverse_norms.asDiagonal());
-  const Eigen::Index rows = jacobian.rows();
-  const Eigen::MatrixXd range = decomposition.householderQ() * Eigen::MatrixXd::Identity(rows, decomposition.rank());
-  const Eigen::MatrixXd residual = Eigen::MatrixXd::Identity(rows, rows) - range * range.transpose();
-  std::vector<Eigen::Index> used;  // rows of what is known of the load and of all measurements
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    if (jacobian.row(k).squaredNorm() > 0.0) used.push_back(k);
-  }
+  const Eigen::MatrixXd range = explainable(adjusted.jacobian);
+  const Eigen::MatrixXd residual = Eigen::MatrixXd::Identity(range.rows(), range.rows()) - range * range.transpose();
   Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    for (std::size_t k = 0; k < used.size(); ++k) {
-      sums(kindOf(adjusted.observations[i]), kindOf(adjusted.observations[k])) +=
-          std::pow(residual(used[i], used[k]), 2);
+  for (const Observation& seen : adjusted.observations) {
+    for (const Observation& by : adjusted.observations) {
+      sums(kindOf(seen), kindOf(by)) += std::pow(residual(seen.row, by.row), 2);
     }
   }
   return sums;

@@ -46,7 +46,7 @@ double seenOf(const SimulatedRobot& robot, std::size_t cable, double offset) {
 }
 
 struct Tally {
-  int cases = 0, within = 0, visible = 0, named = 0, flagged = 0, ambiguous = 0, failed = 0;
+  int cases = 0, position = 0, rotation = 0, visible = 0, named = 0, flagged = 0, ambiguous = 0, failed = 0;
   double squares = 0.0;
 
   // cable: at fault, or none.
@@ -59,9 +59,13 @@ struct Tally {
     const int n = robot.robot.freedoms();
     const Wrench error = poseError(estimate.solution.pose, robot.truth.pose);
     squares += error.head(n).dot(estimate.covariance.topLeftCorner(n, n).ldlt().solve(error.head(n))) / n;
-    bool all_within = true;
-    for (int k = 0; k < n; ++k) all_within &= std::abs(error(k)) <= 3.0 * sigma(estimate.covariance, k);
-    within += static_cast<int>(all_within);
+    const auto within = [&](int from) {
+      bool all = true;
+      for (int k = from; k < from + 3; ++k) all &= std::abs(error(k)) <= 3.0 * sigma(estimate.covariance, k);
+      return static_cast<int>(all);
+    };
+    position += within(0);
+    rotation += n == 6 ? within(3) : 1;
     const auto any = [](const std::vector<bool>& flags) {
       return std::any_of(flags.begin(), flags.end(), [](bool flag) { return flag; });
     };
@@ -77,7 +81,8 @@ struct Tally {
 
   void add(const Tally& other) {
     cases += other.cases;
-    within += other.within;
+    position += other.position;
+    rotation += other.rotation;
     visible += other.visible;
     named += other.named;
     flagged += other.flagged;
@@ -89,17 +94,18 @@ struct Tally {
   void print(const std::string& label) const {
     if (cases + failed == 0) return;
     const auto percent = [](int part, int of) { return of == 0 ? 0.0 : 100.0 * part / of; };
-    std::printf("| %s | %d | %.2f | %.1f %% | %.1f %% | %.1f %% | ", label.c_str(), cases,
-                cases == 0 ? 0.0 : squares / cases, percent(within, cases), percent(flagged, cases),
-                percent(ambiguous, cases));
+    std::printf("| %s | %d | %.2f | %.1f %% | %.1f %% | %.1f %% | %.1f %% | ", label.c_str(), cases,
+                cases == 0 ? 0.0 : squares / cases, percent(position, cases), percent(rotation, cases),
+                percent(flagged, cases), percent(ambiguous, cases));
     if (visible > 0) std::printf("%.1f %%", percent(named, visible));
     std::printf(" | %d |\n", failed);
   }
 };
 
 void heading(const char* first) {
-  std::printf("\n| %s | cases | mean error^2 / freedoms | truth within 3 sigma | something flagged ", first);
-  std::printf("| not told apart | cable named | no estimate |\n|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("\n| %s | cases | mean error^2 / freedoms | position within 3 sigma | rotation | something flagged ",
+              first);
+  std::printf("| not told apart | cable named | no estimate |\n|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
 using Disturb = std::function<CableMeasurements(CableMeasurements)>;
@@ -137,7 +143,7 @@ void sampleOffsets(SimulatedRobot* robot, CsvFile* csv, Tallies* first, Tallies*
           one.add(*robot, estimate, cable, seen);
           (tracking ? later : first)->at(share).add(*robot, estimate, cable, seen);
           csv->row(robot->robot.name, tracking ? "later" : "first", cable, sign * size, seen, one.cases, one.squares,
-                   one.within, one.flagged, one.ambiguous, one.named);
+                   one.position, one.rotation, one.flagged, one.ambiguous, one.named);
         }
       }
     }
@@ -146,7 +152,7 @@ void sampleOffsets(SimulatedRobot* robot, CsvFile* csv, Tallies* first, Tallies*
 
 void studyOneOff(const Study& study) {
   CsvFile csv(study.directory + "/offsets.csv",
-              "robot,onset,cable,offset,seen,solved,squares,within,flagged,ambiguous,named");
+              "robot,onset,cable,offset,seen,solved,squares,position,rotation,flagged,ambiguous,named");
   heading("robot | offset");
   Tallies all_first, all_later;
   for (const std::string& name : robots()) {
@@ -164,10 +170,15 @@ void studyOneOff(const Study& study) {
       all_later[share].add(later[share]);
     }
   }
+  Tally any_first, any_later;
   for (std::size_t share = 0; share < all_first.size(); ++share) {
     all_first[share].print(std::string("all | ") + kShares[share] + ", first message");
     all_later[share].print(std::string("all | ") + kShares[share] + ", later");
+    any_first.add(all_first[share]);
+    any_later.add(all_later[share]);
   }
+  any_first.print("all | any, first message");
+  any_later.print("all | any, later");
 }
 
 void studyAllOff(const Study& study) {

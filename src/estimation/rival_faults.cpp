@@ -11,9 +11,10 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// A rival may have so much larger a sum of squares: where it is the truth, noise makes the difference larger in three
-// of a thousand messages.
-constexpr double kAsLikely = 9.0;
+// A rival may have so much larger a sum of squares, four standard deviations squared: where it is the truth, noise
+// makes the difference larger in one of 30000 messages. The pose of a rival can be a hundred deviations away, so a
+// truth that is not among the rivals must be rarer than that squared.
+constexpr double kAsLikely = 16.0;
 
 // What an exchange of faults does to the sum of squares is foreseen to first order. A rival that is foreseen to lower
 // it by less than this share of what the fault found does is none.

@@ -13,7 +13,8 @@ namespace cdpr_kinetostatics {
 // than said, if it happens more than once.
 class VarianceWindow {
  public:
-  void add(const Candidate& candidate);
+  // rivals: whose faults may be there instead.
+  void add(const Candidate& candidate, const std::vector<Candidate>& rivals);
   void clear() { messages_.clear(); }
 
   // 1, or more where chance does not explain the disagreement. current: the candidate added last.
@@ -23,6 +24,7 @@ class VarianceWindow {
   struct Message {
     Eigen::Vector3d squares = Eigen::Vector3d::Zero(), redundancy = Eigen::Vector3d::Zero();  // by kind
     std::vector<LeftOut> left_out;
+    std::vector<Observation> blamed;  // left out, or by a rival
   };
 
   Message sum() const;

@@ -11,8 +11,8 @@ packages=(
   imagemagick libgl1-mesa-dri python3-matplotlib python3-numpy xauth xvfb
   # comparisons of scripts/benchmarks.sh
   libsundials-dev python3-scipy
-  # checks of scripts/test.sh
-  clang-format clang-tidy
+  # checks of scripts/test.sh; the compiler and its run-time library are those of scripts/fuzz.sh
+  clang-format clang-tidy clang libclang-rt-14-dev
 )
 if [ -d /opt/ros/noetic ]; then
   packages+=(

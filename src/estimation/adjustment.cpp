@@ -10,6 +10,7 @@
 #include "estimation/adjustment_statistics.h"
 #include "residuals/platform_measurements.h"
 #include "robot/coupled_newton.h"
+#include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
 #include "robot/residual_blocks.h"
 
@@ -176,7 +177,7 @@ class Adjustment {
     Eigen::MatrixXd load(freedoms, adjusted->jacobian.cols());
     load << balance.by_pose.topLeftCorner(freedoms, freedoms), balance.by_density.topRows(freedoms);
     analyse(load, adjusted);
-    adjusted->stable = isStable(robot_, block_->stiffness(balance));
+    adjusted->stable = platformStability(robot_, block_->stiffness(balance)).kind != Stability::kUnstable;
   }
 
  private:

@@ -19,6 +19,7 @@ const Status& InverseFollower::solve(const InverseRequest& request) {
   if (!can_follow_) status_ = firstRefusal(checkRobot(robot_), status_);  // a robot that was solved has been checked
   checked_ = status_.ok();
   warm_started_ = checked_ && can_follow_ && solve_->follow(request);
+  if (warm_started_) status_ = solve_->status();
   iterations_ = checked_ && can_follow_ ? solve_->iterations() : 0;
   if (checked_ && !warm_started_) {
     status_ = solve_->solve(request, deadlineAfter(options_.timeout));

@@ -8,6 +8,7 @@
 #include "cable/text.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
+#include "robot/robot_gate.h"
 #include "robot/solution_assembly.h"
 
 namespace cdpr_kinetostatics {
@@ -101,6 +102,11 @@ RobotSolution InverseSolve::solution() const {
     cables.push_back(iteration_.cables()[i].cable.describe(plane.x, plane.y, options_.profile_points));
   }
   assemble(robot_, request_.external_wrench, cables, &solution);
+  const Status verdict = verdictOf(robot_, solution, request_.external_wrench, options_.tolerance);
+  if (!verdict.ok()) {
+    solution.report.status = verdict;
+    return failedRobot(options_.model, outcomeOf(solution.report));
+  }
   std::string& message = solution.report.status.message;
   if (options_.model == Model::kAuto) message = joined(describeChoice(solution), message);
   return solution;
@@ -175,11 +181,13 @@ bool InverseSolve::follow(const InverseRequest& request) {
   request_ = request;
   iteration_.begin(request);
   if (iteration_.attitude().freedoms() > 0) return false;
-  if (!predict() || !converge() || !checkBranches().ok() || !isStable(robot_, stiffness())) return false;
+  if (!predict() || !converge() || !checkBranches().ok()) return false;
+  const Status stability = judge();
+  if (!stability.ok()) return false;
   if (options_.model == Model::kAuto && !choice_.serve(robot_, iteration_.reached(), options_.accuracy, rungs_)) {
     return false;
   }
-  outcome_.status = {Code::kConverged, ""};
+  outcome_.status = stability;
   return true;
 }
 

@@ -33,6 +33,9 @@ class InverseSolve {
   // models by AUTO, with a free attitude, where limits contradict each other.
   bool follow(const InverseRequest& request);
 
+  // How the last call ended.
+  const Status& status() const { return outcome_.status; }
+
   // The last answer in full, or what a search that failed had reached.
   RobotSolution solution() const;
 

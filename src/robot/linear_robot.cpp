@@ -1,6 +1,5 @@
 #include "robot/linear_robot.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 namespace cdpr_kinetostatics {
@@ -57,14 +56,6 @@ bool LinearRobot::factoriseWithOpenMotions() {
 
 double openStiffness(const RobotDescription& robot) {
   return kOpenShare * robot.weight() / (robot.freedoms() == 6 ? robot.lever() : robot.span());
-}
-
-bool isStable(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness) {
-  // The rows and columns of the robot's freedoms, on the stack.
-  using MatrixOfFreedoms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-  const int n = robot.freedoms();
-  const MatrixOfFreedoms hessian = -0.5 * (stiffness + stiffness.transpose()).topLeftCorner(n, n);
-  return hessian.llt().info() == Eigen::Success;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -66,7 +66,4 @@ class LinearRobot {
 // weight makes of a turn of 1 rad, which is what the tolerance of a solve leaves of zero [N/m].
 double openStiffness(const RobotDescription& robot);
 
-// True if no motion of the platform is unstable: the symmetric part of the stiffness is negative definite.
-bool isStable(const RobotDescription& robot, const LinearRobot::Stiffness& stiffness);
-
 }  // namespace cdpr_kinetostatics

@@ -35,26 +35,30 @@ const CableCase kNarrowLoops[] = {
      311.2},
 };
 
-class NarrowLoop : public ::testing::TestWithParam<CableCase> {};
-
-TEST_P(NarrowLoop, IsAnsweredOrGivenUpInTime) {
-  const CableCase& c = GetParam();
-  CableSolverOptions options;
-  const auto start = std::chrono::steady_clock::now();
-  options.timeout = std::chrono::milliseconds(100);
-  const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(200)) << s.status.message;
-  EXPECT_TRUE(s.status.ok() || !s.status.message.empty());
-}
-
-INSTANTIATE_TEST_SUITE_P(Worst, NarrowLoop, ::testing::ValuesIn(kNarrowLoops));
-
 // Processor time of this thread [s]: what others do meanwhile does not count.
 double processorTime() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
+
+// A search that has lost its deadline goes on for seconds. How late the answers are, in milliseconds, is for the fuzzed
+// programs to measure: no test depends on the speed of the machine [s].
+constexpr double kEndless = 1.0;
+
+class NarrowLoop : public ::testing::TestWithParam<CableCase> {};
+
+TEST_P(NarrowLoop, IsAnsweredOrGivenUpInTime) {
+  const CableCase& c = GetParam();
+  CableSolverOptions options;
+  const double start = processorTime();
+  options.timeout = std::chrono::milliseconds(100);
+  const CableSolution s = findForces(c.cable, c.length, c.x, c.y, options);
+  EXPECT_LT(processorTime() - start, kEndless) << s.status.message;
+  EXPECT_TRUE(s.status.ok() || !s.status.message.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Worst, NarrowLoop, ::testing::ValuesIn(kNarrowLoops));
 
 // A rope of SCAMPI's that would have to be stretched to five times its length: every part of the search comes to its
 // limits.
@@ -65,7 +69,7 @@ TEST(Deadline, EndsTheSearchForALength) {
   options.timeout = std::chrono::duration<double>(8.3e-3);
   const double start = processorTime();
   const CableSolution s = findLength({153310.0, 0.07, 0.1034955}, 121.374, -232.325, 0.041675, 53.12, options);
-  EXPECT_LT(processorTime() - start, 8.3e-3 + 20e-3);  // instrumented builds take some times the promised 5 ms
+  EXPECT_LT(processorTime() - start, kEndless);
   EXPECT_TRUE(s.status.code == Code::kTimedOut || s.status.ok()) << s.status.message;
 }
 
@@ -76,7 +80,7 @@ TEST(Deadline, EndsTheSearchForACatenaryToStartFrom) {
   const double start = processorTime();
   const CableSolution s =
       findForces({441928652576.9, 1.29e-6, 10.0}, 95.99501459912247, 0.0, -95.99501459912247, options);
-  EXPECT_LT(processorTime() - start, 1e-3 + 20e-3);
+  EXPECT_LT(processorTime() - start, kEndless);
   EXPECT_EQ(s.status.code, Code::kTimedOut) << s.status.message;
 }
 

@@ -105,20 +105,5 @@ TEST(LinearRobot, WhatIsNotFiniteIsNotFactorised) {
   EXPECT_FALSE(at.linear.factoriseWithOpenMotions());
 }
 
-TEST(LinearRobot, StableMeansThatEveryMotionIsResisted) {
-  const RobotDescription rigid = shippedRobot(ROBOT_DIR, "cogiro");
-  const RobotDescription point = shippedRobot(ROBOT_DIR, "paper_point_mass");
-  Matrix6 stiffness = -Matrix6::Identity();
-  EXPECT_TRUE(isStable(rigid, stiffness));
-  stiffness(0, 1) = 100.0;  // the part of a torque, which does not count, and
-  stiffness(1, 0) = -100.0;
-  EXPECT_TRUE(isStable(rigid, stiffness));
-  stiffness(4, 4) = 0.1;  // a rotation that runs away, which a point mass does not have
-  EXPECT_FALSE(isStable(rigid, stiffness));
-  EXPECT_TRUE(isStable(point, stiffness));
-  stiffness(2, 2) = 0.1;
-  EXPECT_FALSE(isStable(point, stiffness));
-}
-
 }  // namespace
 }  // namespace cdpr_kinetostatics

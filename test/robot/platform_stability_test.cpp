@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "cdpr_kinetostatics/robot/inverse_follower.h"
 #include "robot_cases.h"
 
 namespace cdpr_kinetostatics {
@@ -100,6 +101,37 @@ TEST(PlatformStability, JudgesByTheSymmetricPart) {
   stiffness(2, 2) = 1.0;
   EXPECT_EQ(platformStability(robot, stiffness).kind, Stability::kUnstable);
   EXPECT_EQ(describeStability(robot, platformStability(robot, stiffness)).code, Code::kUnstable);
+}
+
+TEST(PlatformStability, StableMeansThatEveryMotionIsResisted) {
+  const RobotDescription rigid = shippedRobot(ROBOT_DIR, "cogiro");
+  const RobotDescription point = shippedRobot(ROBOT_DIR, "paper_point_mass");
+  LinearRobot::Stiffness stiffness = -LinearRobot::Stiffness::Identity();
+  EXPECT_EQ(platformStability(rigid, stiffness).kind, Stability::kStable);
+  stiffness(0, 1) = 100.0;  // the part of a torque, which does not count, and
+  stiffness(1, 0) = -100.0;
+  EXPECT_EQ(platformStability(rigid, stiffness).kind, Stability::kStable);
+  stiffness(4, 4) = 0.1;  // a rotation that runs away, which a point mass does not have
+  EXPECT_EQ(platformStability(rigid, stiffness).kind, Stability::kUnstable);
+  EXPECT_EQ(platformStability(point, stiffness).kind, Stability::kStable);
+  stiffness(2, 2) = 0.1;
+  EXPECT_EQ(platformStability(point, stiffness).kind, Stability::kUnstable);
+}
+
+// Where all ropes meet in the centre of mass nothing resists a turn, on a path as in a first solve.
+TEST(PlatformStability, AnOpenFreedomIsFollowedAndNamed) {
+  const RobotDescription robot = cross(0.0, Eigen::Vector3d::Zero());
+  InverseFollower follower(robot, patient(Model::kCatenary));
+  InverseRequest request;
+  for (const double x : {0.0, 0.01, 0.02}) {
+    request.pose.position = {x, 0.0, 1.0};
+    const Status followed = follower.solve(request);
+    const Status cold = solveInverse(robot, request, patient(Model::kCatenary)).report.status;
+    EXPECT_EQ(followed.code, cold.code);
+    EXPECT_EQ(follower.solution().report.status.message, cold.message);
+    EXPECT_NE(followed.message.find("a freedom is open"), std::string::npos) << followed.message;
+    EXPECT_EQ(follower.warmStarted(), x > 0.0);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+# fuzz/<name>_fuzz.cpp become the libFuzzer programs <name>_fuzz; scripts/fuzz.sh builds and runs them. Needs clang.
+add_custom_target(fuzzers)
+file(GLOB fuzz_sources CONFIGURE_DEPENDS fuzz/*_fuzz.cpp)
+foreach(fuzz_source ${fuzz_sources})
+  get_filename_component(name ${fuzz_source} NAME_WE)
+  add_executable(${name} EXCLUDE_FROM_ALL ${fuzz_source} fuzz/invariants.cpp)
+  target_include_directories(${name} PRIVATE fuzz)
+  target_link_libraries(${name} cdpr_test_support -fsanitize=fuzzer)
+  target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
+  cdpr_compile_options(${name})
+  add_dependencies(fuzzers ${name})
+endforeach()

@@ -9,8 +9,8 @@
 namespace cdpr_kinetostatics {
 
 // Sums of squares of each kind of observation: what is left of each message without its faults. What is left out of one
-// message alone, and neither of the one before nor of the one after, is no fault of a sensor but a deviation larger
-// than said, if it happens more than once.
+// message alone, and at fault neither in the one before nor in the one after, by their answers or by their rivals, is
+// no fault of a sensor but a deviation larger than said, if it happens more than once.
 class VarianceWindow {
  public:
   // rivals: whose faults may be there instead.

@@ -28,7 +28,7 @@ void studyRecovery(const Study& study) {
     PoseEstimator estimator(robot.robot, robot.estimator);  // one for all: each sequence inherits the ones before
     int wrong = 0;
     double largest = 0.0;
-    const int sequences = study.quick ? 100 : 5000;
+    const int sequences = study.quick ? 100 : 2000;
     for (int sequence = 0; sequence < sequences;) {
       if (!robot.moveTo(randomPose(workspace, &robot.dice))) continue;
       ++sequence;

@@ -154,18 +154,6 @@ bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate) {
   return isNoise(candidate) && isSame(candidate.selection, measured.available);
 }
 
-bool isUsed(const Observation& observation, const Selection& selection) {
-  switch (observation.kind) {
-    case Observation::Kind::kLength:
-      return selection.lengths[observation.index];
-    case Observation::Kind::kTension:
-      return selection.tensions[observation.index];
-    case Observation::Kind::kLoad:
-      return selection.load(static_cast<Eigen::Index>(observation.index));
-  }
-  return false;
-}
-
 void use(const Observation& observation, bool used, Selection* selection) {
   switch (observation.kind) {
     case Observation::Kind::kLength:

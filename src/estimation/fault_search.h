@@ -34,8 +34,6 @@ bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate);
 
 bool isSame(const Selection& a, const Selection& b);
 
-bool isUsed(const Observation& observation, const Selection& selection);
-
 // Takes an observation into the selection, or leaves it out.
 void use(const Observation& observation, bool used, Selection* selection);
 

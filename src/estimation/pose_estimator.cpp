@@ -179,7 +179,7 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
 // weighed by the deviations that it shows.
 Estimate PoseEstimator::Tracker::judged(const MeasuredRobot& measured, Candidate* best) {
   std::vector<Candidate> rivals = rivalsOf(measured, best);
-  window_.add(*best, rivals);
+  window_.add(*best);
   const DeviationFactors factors = window_.factors(*best);
   const EstimatorOptions options = widened(options_, factors);
   const MeasuredRobot believed{robot_,        options, measured.measurements, measured.deadline, measured.available,

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "estimation/adjustment_statistics.h"
-#include "estimation/fault_search.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -29,9 +28,9 @@ double noiseLimit(double freedoms) {
 
 Eigen::Index kindOf(const Observation& observation) { return static_cast<Eigen::Index>(observation.kind); }
 
-bool contains(const std::vector<Observation>& observations, const Observation& o) {
-  return std::any_of(observations.begin(), observations.end(),
-                     [&](const Observation& other) { return isSame(other, o); });
+bool contains(const std::vector<LeftOut>& left_out, const Observation& o) {
+  return std::any_of(left_out.begin(), left_out.end(),
+                     [&](const LeftOut& other) { return isSame(other.observation, o); });
 }
 
 // (row, column): the share of a column's variance, summed over its observations, that shows in the squared residuals of
@@ -50,17 +49,14 @@ Eigen::Matrix3d shares(const Adjusted& adjusted) {
 
 }  // namespace
 
-void VarianceWindow::add(const Candidate& candidate, const std::vector<Candidate>& rivals) {
+void VarianceWindow::add(const Candidate& candidate) {
   if (messages_.size() == kMessages) messages_.erase(messages_.begin());
   Message message;
   for (const Observation& o : candidate.adjusted.observations) {
     message.squares(kindOf(o)) += o.residual * o.residual;
     message.redundancy(kindOf(o)) += o.redundancy;
-    const auto blames = [&](const Candidate& rival) { return !isUsed(o, rival.selection); };
-    if (std::any_of(rivals.begin(), rivals.end(), blames)) message.blamed.push_back(o);
   }
   message.left_out = candidate.left_out;
-  for (const LeftOut& one : candidate.left_out) message.blamed.push_back(one.observation);
   messages_.push_back(message);
 }
 
@@ -73,8 +69,8 @@ VarianceWindow::Message VarianceWindow::sum() const {
     all.redundancy += messages_[m].redundancy;
     if (m + 1 == messages_.size()) break;  // the next message will tell whether the last one's are alone
     for (const LeftOut& one : messages_[m].left_out) {
-      const bool before = m > 0 && contains(messages_[m - 1].blamed, one.observation);
-      if (before || contains(messages_[m + 1].blamed, one.observation)) continue;
+      const bool before = m > 0 && contains(messages_[m - 1].left_out, one.observation);
+      if (before || contains(messages_[m + 1].left_out, one.observation)) continue;
       const Eigen::Index kind = kindOf(one.observation);
       if (largest(kind) > 0.0) all.redundancy(kind) += one.redundancy;
       all.squares(kind) += std::min(one.gain, largest(kind));

@@ -9,12 +9,12 @@
 namespace cdpr_kinetostatics {
 
 // Sums of squares of each kind of observation: what is left of each message without its faults. What is left out of one
-// message alone, and at fault neither in the one before nor in the one after, by their answers or by their rivals, is
-// no fault of a sensor but a deviation larger than said, if it happens more than once.
+// message alone, and neither of the one before nor of the one after, is no fault of a sensor but a deviation larger
+// than said, if it happens more than once. That it was a suspect there does not count: where all deviations are larger
+// than said, most sensors are suspects.
 class VarianceWindow {
  public:
-  // rivals: whose faults may be there instead.
-  void add(const Candidate& candidate, const std::vector<Candidate>& rivals);
+  void add(const Candidate& candidate);
   void clear() { messages_.clear(); }
 
   // 1, or more where chance does not explain the disagreement. current: the candidate added last.
@@ -24,7 +24,6 @@ class VarianceWindow {
   struct Message {
     Eigen::Vector3d squares = Eigen::Vector3d::Zero(), redundancy = Eigen::Vector3d::Zero();  // by kind
     std::vector<LeftOut> left_out;
-    std::vector<Observation> blamed;  // left out, or by a rival
   };
 
   Message sum() const;

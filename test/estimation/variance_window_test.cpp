@@ -35,7 +35,7 @@ class VarianceFactors : public ::testing::Test {
     DeviationFactors factors;
     for (int k = 0; k < messages; ++k) {
       const Candidate candidate = adjusted(drawn(lengths, tensions));
-      window->add(candidate, {});
+      window->add(candidate);
       factors = window->factors(candidate);
     }
     return factors;
@@ -85,33 +85,14 @@ TEST_F(VarianceFactors, CountWhatIsLeftOutNowAndThen) {
   faulty.left_out = {gross};
   VarianceWindow always, sometimes, once;
   for (int k = 0; k < kWindow; ++k) {
-    always.add(faulty, {});
-    sometimes.add(k % 3 == 1 ? faulty : good, {});
-    once.add(k == 4 ? faulty : good, {});
+    always.add(faulty);
+    sometimes.add(k % 3 == 1 ? faulty : good);
+    once.add(k == 4 ? faulty : good);
   }
   EXPECT_FALSE(isWider(always.factors(faulty)));
   EXPECT_FALSE(isWider(once.factors(good)));
   EXPECT_GT(sometimes.factors(good).lengths, 3.0);
   EXPECT_EQ(sometimes.factors(good).tensions, 1.0);
-}
-
-// Two sensors of which the data cannot tell which one is at fault: noise decides which is left out.
-TEST_F(VarianceFactors, TakeAFaultThatIsASuspectNextTimeForTheSame) {
-  const Candidate good = adjusted(drawn(0.0, 0.0));
-  const auto without = [&](std::size_t cable) {
-    Candidate faulty = good;
-    faulty.selection.lengths[cable] = false;
-    faulty.left_out = {{{Observation::Kind::kLength, cable}, 400.0, 1.0}};
-    return faulty;
-  };
-  VarianceWindow told, not_told;
-  for (int k = 0; k < kWindow; ++k) {
-    const bool first = k % 2 == 0;
-    told.add(without(first ? 3 : 5), {});
-    not_told.add(without(first ? 3 : 5), {without(first ? 5 : 3)});
-  }
-  EXPECT_GT(told.factors(good).lengths, 3.0);
-  EXPECT_FALSE(isWider(not_told.factors(good)));
 }
 
 TEST_F(VarianceFactors, WidenTheDeviationsOfTheirKind) {

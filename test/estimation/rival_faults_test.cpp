@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "estimation/fault_search.h"
@@ -85,6 +86,20 @@ TEST(RivalFaultsOfCoGiRo, AreNoneWhereNothingIsLeftOut) {
   Candidate best = leaveOutFaults(measured, truthOf(simulated), measured.available);
   EXPECT_TRUE(rivalsOf(measured, &best).empty());
   EXPECT_TRUE(best.left_out.empty());
+}
+
+TEST(RivalFaultsOfCoGiRo, AreNotSoughtWhenTimeIsOver) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  CableMeasurements measurements = simulated.measure(simulated.truth, 1.0);
+  *measurements.lengths[2] += 0.05;
+  const MeasuredRobot measured = measuredBy(simulated, measurements);
+  Candidate best = leaveOutFaults(measured, truthOf(simulated), measured.available);
+  ASSERT_FALSE(isSame(best.selection, measured.available));
+  ASSERT_FALSE(rivalsOf(measured, &best).empty());
+  const MeasuredRobot late{measured.robot,     measured.options, measurements, std::chrono::steady_clock::now(),
+                           measured.available, measured.rungs};
+  EXPECT_TRUE(rivalsOf(late, &best).empty());
+  EXPECT_TRUE(unprovenFaults(late, best).empty());
 }
 
 // An offset that shows with four of its residual's deviations is no fault yet, but an answer without it is among those

@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
                                                                      {"faults", studyFaults},
                                                                      {"load", studyLoadChange},
                                                                      {"observability", studyObservability},
+                                                                     {"offsets", studyOffsets},
+                                                                     {"recovery", studyRecovery},
                                                                      {"timing", studyTiming}};
   try {
     Study study;
@@ -31,7 +33,8 @@ int main(int argc, char** argv) {
         ("directory", po::value(&study.directory)->default_value("."), "of the CSV files")  //
         ("model", po::value(&model)->default_value("catenary"),
          "cable model of robot and estimator; timing always takes catenary and bending")  //
-        ("experiment", po::value(&chosen), "consistency, faults, load, observability, timing; none: all");
+        ("experiment", po::value(&chosen),
+         "consistency, faults, load, observability, offsets, recovery, timing; none: all");
     po::variables_map values;
     po::positional_options_description positional;
     positional.add("experiment", -1);

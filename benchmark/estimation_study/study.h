@@ -18,10 +18,14 @@ struct Study {
 void studyConsistency(const Study& study);
 // One faulty sensor at a time: is it found, and does the estimate stay?
 void studyFaults(const Study& study);
+// Drums that are off by a little, one at a time or all at once.
+void studyOffsets(const Study& study);
 // A payload that comes and goes while the platform moves.
 void studyLoadChange(const Study& study);
 // Standard deviations, and what the measurements leave open.
 void studyObservability(const Study& study);
+// After random sequences of hostile messages: do ten good ones bring the answer of an estimator without a past?
+void studyRecovery(const Study& study);
 // Time of an update.
 void studyTiming(const Study& study);
 

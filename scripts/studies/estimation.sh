@@ -1,5 +1,5 @@
 #!/bin/bash
-# Everything measured in docs/estimation.md: builds, simulates, writes its tables and its picture.   [3 minutes]
+# Everything measured in docs/estimation.md: builds, simulates, writes its tables and its picture.   [an hour]
 #     scripts/studies/estimation.sh [--quick]      --quick: fewer samples, document untouched: does it all still run?
 # Results go to estimation/ in the workspace.
 set -euo pipefail
@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 build -DCMAKE_BUILD_TYPE=Release -DCDPR_BUILD_BENCHMARKS=ON
 results=$workspace/estimation
 mkdir -p "$results"
-for experiment in consistency faults load observability timing; do
+for experiment in consistency faults offsets recovery load observability timing; do
   "$workspace/devel/lib/cdpr_kinetostatics/estimation_study" --directory "$results" "$@" "$experiment" \
     2>"$results/$experiment.log" | tee "$results/$experiment.md"
 done

@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt
 
 ROBOT = "cogiro"  # of the payload
 BINS = [0.5 * k for k in range(51)]
-TABLES = ("consistency", "faults", "load", "observability", "timing")
+TABLES = ("consistency", "faults", "offsets", "recovery", "load", "observability", "timing")
 GIVEN = (("all", "tab:blue"), ("load unknown", "tab:orange"), ("lengths only", "tab:green"))
 
 

@@ -28,6 +28,21 @@ constexpr double kInitialTrustRegion = 1e8;
 constexpr double kSettledSquares = 1e-14;
 constexpr double kSettledUnknowns = 1e-10;
 
+// Ceres gives up after so many steps in a row that its linear model does not allow, and logs an error then, even if it
+// is told to be silent. It is stopped one step before: the report says how it ended.
+constexpr int kMostInvalidSteps = 5;
+
+class StopQuietly : public ceres::IterationCallback {
+ public:
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
+    invalid_ = iteration.step_is_valid ? 0 : invalid_ + 1;
+    return invalid_ < kMostInvalidSteps - 1 ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+  }
+
+ private:
+  int invalid_ = 0;
+};
+
 // The clock's limit for Ceres, which counts seconds as a double [s].
 constexpr double kLongestTime = 1e6;
 
@@ -116,6 +131,9 @@ class Adjustment {
     options.parameter_tolerance = kSettledUnknowns;
     options.max_solver_time_in_seconds =
         std::clamp(std::chrono::duration<double>(deadline - Clock::now()).count(), 0.0, kLongestTime);
+    options.max_num_consecutive_invalid_steps = kMostInvalidSteps;
+    StopQuietly stop_quietly;
+    options.callbacks = {&stop_quietly};
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem_, &summary);
     *iterations = static_cast<int>(summary.iterations.size());
@@ -142,7 +160,10 @@ class Adjustment {
       adjusted->cables.push_back(cable);
     }
     adjusted->observations = std::move(observations);
-    for (std::size_t k = 0; k < residuals.size(); ++k) adjusted->observations[k].residual = residuals[k];
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      adjusted->observations[k].residual = residuals[k];
+      adjusted->observations[k].row = static_cast<Eigen::Index>(k);
+    }
     adjusted->jacobian = dense(sparse);
     if (rigid_) adjusted->jacobian.middleCols<3>(3) *= 0.5;  // the manifold's tangent is half the rotation vector
     return true;
@@ -191,6 +212,15 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
   } else if (SolveLimits::isPast(deadline)) {
     adjusted.status = {Code::kTimedOut, "the time allowed ran out while the pose was estimated"};
   }
+  return adjusted;
+}
+
+Adjusted evaluate(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at) {
+  Adjusted adjusted;
+  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, at), at);
+  const bool evaluated = adjustment.read(observationsOf(robot, selection), &adjusted);
+  adjusted.status.code = evaluated ? Code::kConverged : Code::kNotConverged;
   return adjusted;
 }
 

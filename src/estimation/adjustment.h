@@ -26,7 +26,11 @@ struct Observation {
   std::size_t index = 0;    // cable, or component of the load
   double residual = 0.0;    // model minus measured
   double redundancy = 0.0;  // share of an error that shows in the residual, 0 to 1
+  Eigen::Index row = 0;     // of the Jacobian
 };
+
+// The same measurement, or component of the load.
+inline bool isSame(const Observation& a, const Observation& b) { return a.kind == b.kind && a.index == b.index; }
 
 struct Adjusted {
   Status status;
@@ -51,5 +55,9 @@ struct Adjusted {
 Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
                 const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start,
                 std::chrono::steady_clock::time_point deadline);
+
+// Residuals and Jacobian at the state given, without adjusting it: observations have no redundancies yet.
+Adjusted evaluate(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at);
 
 }  // namespace cdpr_kinetostatics

@@ -14,17 +14,28 @@ constexpr double kOpen = 1e-6;
 
 using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
+Eigen::VectorXd inverseNorms(const Eigen::MatrixXd& jacobian) {
+  const Eigen::VectorXd norms = jacobian.colwise().norm();
+  return (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
+}
+
+Decomposition decomposed(const Eigen::MatrixXd& scaled) {
+  Decomposition decomposition(scaled);
+  decomposition.setThreshold(kRank);
+  return decomposition;
+}
+
+Eigen::MatrixXd rangeOf(const Decomposition& decomposition) {
+  return decomposition.householderQ() * Eigen::MatrixXd::Identity(decomposition.rows(), decomposition.rank());
+}
+
 void fillRedundancies(const Decomposition& decomposition, Adjusted* adjusted) {
-  const Eigen::MatrixXd& jacobian = adjusted->jacobian;
-  const Eigen::Index rank = decomposition.rank();
-  const Eigen::MatrixXd range = decomposition.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), rank);
-  adjusted->redundancy = -static_cast<int>(rank);
+  const Eigen::MatrixXd range = rangeOf(decomposition);
+  adjusted->redundancy = -static_cast<int>(range.cols());
   std::vector<Observation> used;
-  for (std::size_t k = 0; k < adjusted->observations.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    if (jacobian.row(row).squaredNorm() == 0.0) continue;  // a component of the load that is not known
-    Observation observation = adjusted->observations[k];
-    observation.redundancy = 1.0 - range.row(row).squaredNorm();
+  for (Observation observation : adjusted->observations) {
+    if (adjusted->jacobian.row(observation.row).squaredNorm() == 0.0) continue;  // a component that is not known
+    observation.redundancy = 1.0 - range.row(observation.row).squaredNorm();
     adjusted->weighted_squares += observation.residual * observation.residual;
     ++adjusted->redundancy;
     used.push_back(observation);
@@ -52,19 +63,20 @@ void fillLoadCovariance(const Eigen::MatrixXd& load, const Decomposition& decomp
 
 }  // namespace
 
+Eigen::MatrixXd explainable(const Eigen::MatrixXd& jacobian) {
+  return rangeOf(decomposed(jacobian * inverseNorms(jacobian).asDiagonal()));
+}
+
 void analyse(const Eigen::MatrixXd& load, Adjusted* adjusted) {
   const Eigen::MatrixXd& jacobian = adjusted->jacobian;
   const Eigen::Index freedoms = load.rows();
-  const Eigen::VectorXd norms = jacobian.colwise().norm();
-  const Eigen::VectorXd inverse_norms = (norms.array() > 0.0).select(norms.cwiseInverse(), 1.0);
+  const Eigen::VectorXd inverse_norms = inverseNorms(jacobian);
   const Eigen::MatrixXd scaled = jacobian * inverse_norms.asDiagonal();
-  Decomposition all(scaled);
-  all.setThreshold(kRank);
+  const Decomposition all = decomposed(scaled);
   fillRedundancies(all, adjusted);
   fillLoadCovariance(load * inverse_norms.asDiagonal(), all, adjusted);
 
-  Decomposition cables(scaled.rightCols(jacobian.cols() - freedoms));
-  cables.setThreshold(kRank);
+  const Decomposition cables = decomposed(scaled.rightCols(jacobian.cols() - freedoms));
   const Eigen::MatrixXd pose = cables.householderQ().transpose() * jacobian.leftCols(freedoms);
   const Eigen::MatrixXd left = pose.bottomRows(pose.rows() - cables.rank());
   adjusted->information = left.transpose() * left;

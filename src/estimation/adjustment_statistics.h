@@ -5,6 +5,9 @@
 
 namespace cdpr_kinetostatics {
 
+// Orthonormal basis of what the unknowns can explain of the observations.
+Eigen::MatrixXd explainable(const Eigen::MatrixXd& jacobian);
+
 // From the residuals and the Jacobian of all observations: fills redundancies, weighted_squares, information and
 // load_covariance, and drops observations of what is not known. load: of the load's components by the Jacobian's
 // columns.

@@ -1,11 +1,12 @@
 #include "estimation/estimate_report.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "estimation/estimate_covariance.h"
 #include "estimation/estimate_error.h"
+#include "estimation/fault_names.h"
 #include "estimation/fault_search.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
@@ -13,9 +14,6 @@
 
 namespace cdpr_kinetostatics {
 namespace {
-
-// Directions with a standard deviation beyond this share of the robot's span are not fixed by the data.
-constexpr double kUnobservable = 1.0;
 
 void fillCables(const MeasuredRobot& measured, Candidate* candidate, Estimate* estimate) {
   const Adjusted& adjusted = candidate->adjusted;
@@ -26,60 +24,42 @@ void fillCables(const MeasuredRobot& measured, Candidate* candidate, Estimate* e
   reportEffect(measured, candidate, &estimate->solution);
 }
 
-void fillCovariance(const RobotDescription& robot, const Eigen::MatrixXd& information, Estimate* estimate) {
-  const auto n = static_cast<Eigen::Index>(robot.freedoms());
-  Eigen::VectorXd scale = Eigen::VectorXd::Ones(n);  // rotations as displacements of the platform's rim
-  if (n == 6) scale.tail<3>().setConstant(1.0 / robot.lever());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * information * scale.asDiagonal());
-  const double least = 1.0 / std::pow(kUnobservable * robot.span(), 2);
-  estimate->covariance = kUnknownVariance * Eigen::Matrix<double, 6, 6>::Identity();
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::VectorXd direction = scale.asDiagonal() * eigen.eigenvectors().col(k);
-    const bool fixed = eigen.eigenvalues()(k) > least;
-    if (!fixed) ++estimate->unobservable_directions;
-    const double variance = fixed ? 1.0 / eigen.eigenvalues()(k) : kUnknownVariance / direction.squaredNorm();
-    covariance += variance * direction * direction.transpose();
-  }
-  estimate->covariance.topLeftCorner(n, n) = covariance;
-}
-
-void fillLoadCovariance(const RobotDescription& robot, const Adjusted& adjusted, Estimate* estimate) {
-  const auto n = static_cast<Eigen::Index>(robot.freedoms());
-  estimate->load_unknown = adjusted.load_unknown;
-  estimate->load_covariance.topLeftCorner(n, n) = adjusted.load_covariance;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (!adjusted.load_unknown(k)) continue;
-    estimate->load_covariance.row(k).setZero();
-    estimate->load_covariance.col(k).setZero();
-    const double lever = k < 3 ? 1.0 : robot.lever();
-    estimate->load_covariance(k, k) = std::pow(kUnknownLoad * robot.weight() * lever, 2);
+// What a rival leaves out and the answer does not.
+void fillSuspects(const MeasuredRobot& measured, const Selection& left_out, const std::vector<Candidate>& rivals,
+                  Estimate* estimate) {
+  estimate->length_suspect.assign(measured.robot.cables.size(), false);
+  estimate->tension_suspect.assign(measured.robot.cables.size(), false);
+  for (const Candidate& rival : rivals) {
+    const Selection other = leftOut(measured, rival);
+    for (std::size_t i = 0; i < measured.robot.cables.size(); ++i) {
+      if (other.lengths[i] && !left_out.lengths[i]) estimate->length_suspect[i] = true;
+      if (other.tensions[i] && !left_out.tensions[i]) estimate->tension_suspect[i] = true;
+    }
+    estimate->load_suspect = estimate->load_suspect || (other.load && !left_out.load);
   }
 }
 
 }  // namespace
 
-Estimate report(const MeasuredRobot& measured, Candidate* candidate) {
+Estimate report(const MeasuredRobot& measured, Candidate* candidate, const std::vector<Candidate>& rivals,
+                const std::vector<Candidate>& unproven) {
   const RobotDescription& robot = measured.robot;
   Estimate estimate;
   const Adjusted& adjusted = candidate->adjusted;
   const RobotForces& at = adjusted.unknowns;
   estimate.solution.pose = at.pose;
   estimate.solution.report.status = adjusted.status;
-  Wrench cables = Wrench::Zero();
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CablePlane plane = cablePlane(robot.cables[i], at.pose);
-    cables += wrenchAt(plane.arm, forceOnPlatform(plane, at.forces[i].horizontal, at.forces[i].vertical,
-                                                  robot.cables[i].properties.weight * at.lengths[i]));
     const double tension = std::hypot(at.forces[i].horizontal, at.forces[i].vertical);
     estimate.length_residual.push_back(measured.available.lengths[i] ? *measured.measurements.lengths[i] - at.lengths[i]
                                                                      : 0.0);
     estimate.tension_residual.push_back(measured.available.tensions[i] ? *measured.measurements.tensions[i] - tension
                                                                        : 0.0);
   }
-  estimate.load = -cables - loadWrench(robot, at.pose, Wrench::Zero());
-  if (robot.type == PlatformType::kPointMass) estimate.load.tail<3>().setZero();
-  fillLoadCovariance(robot, adjusted, &estimate);
+  estimate.load = balancingLoad(robot, at);
+  std::vector<Candidate> others = rivals;
+  others.insert(others.end(), unproven.begin(), unproven.end());
+  fillCovariances(robot, *candidate, others, &estimate);
   estimate.length_redundancy.assign(robot.cables.size(), 0.0);
   estimate.tension_redundancy.assign(robot.cables.size(), 0.0);
   for (const Observation& o : adjusted.observations) {
@@ -90,9 +70,9 @@ Estimate report(const MeasuredRobot& measured, Candidate* candidate) {
   estimate.length_outlier = left_out.lengths;
   estimate.tension_outlier = left_out.tensions;
   estimate.load_outlier = left_out.load;
+  fillSuspects(measured, left_out, rivals, &estimate);
   estimate.weighted_squares = adjusted.weighted_squares;
   estimate.redundancy = adjusted.redundancy;
-  fillCovariance(robot, adjusted.information, &estimate);
   fillCables(measured, candidate, &estimate);
   std::string& message = estimate.solution.report.status.message;
   if (measured.options.model == Model::kAuto) message = describeChoice(estimate.solution);
@@ -101,6 +81,14 @@ Estimate report(const MeasuredRobot& measured, Candidate* candidate) {
     text << "the measurements leave " << estimate.unobservable_directions
          << " direction(s) of the pose unknown; they carry a variance of " << kUnknownVariance;
     message = message.empty() ? text.str() : text.str() + "; " + message;
+  }
+  if (!rivals.empty()) {
+    const std::string text =
+        "which measurement is faulty cannot be told: " +
+        joined(faultNames(estimate.solution, left_out.lengths, left_out.tensions, left_out.load)) +
+        " left out, but it may be instead: " +
+        joined(faultNames(estimate.solution, estimate.length_suspect, estimate.tension_suspect, estimate.load_suspect));
+    message = message.empty() ? text : text + "; " + message;
   }
   return estimate;
 }

@@ -9,9 +9,6 @@
 namespace cdpr_kinetostatics {
 namespace {
 
-// An error that shows in its own residual by less than this share cannot be told from others.
-constexpr double kTestable = 0.01;
-
 // A measurement that jumps this many times farther than most others since the last estimate is not trusted at first.
 constexpr double kJump = 10.0;
 
@@ -26,11 +23,6 @@ constexpr double kImprobable = 5.0;
 
 // Answers whose sums of squares differ by less are equally good. What AUTO's models may neglect changes them by less.
 constexpr double kIndistinct = 0.1;
-
-// A residual in units of its own standard deviation; 0 if the others cannot check it.
-double statistic(const Observation& o) {
-  return o.redundancy >= kTestable ? std::abs(o.residual) / std::sqrt(o.redundancy) : 0.0;
-}
 
 bool disagree(const std::vector<Observation>& observations, double threshold) {
   return std::any_of(observations.begin(), observations.end(),
@@ -47,20 +39,6 @@ std::vector<Observation> worstFirst(std::vector<Observation> observations) {
 bool isPlausible(const Adjusted& adjusted) {
   const double mean = adjusted.redundancy;
   return adjusted.redundancy >= kWitnesses && adjusted.weighted_squares < mean + kPlausible * std::sqrt(2.0 * mean);
-}
-
-void leaveOut(const Observation& observation, Selection* selection) {
-  switch (observation.kind) {
-    case Observation::Kind::kLength:
-      selection->lengths[observation.index] = false;
-      break;
-    case Observation::Kind::kTension:
-      selection->tensions[observation.index] = false;
-      break;
-    case Observation::Kind::kLoad:
-      selection->load(static_cast<Eigen::Index>(observation.index)) = false;
-      break;
-  }
 }
 
 // Largest jump that passes, with the median of all jumps as a measure of how far the platform has moved.
@@ -119,6 +97,10 @@ bool explains(const MeasuredRobot& measured, const Candidate& candidate) {
 
 }  // namespace
 
+double statistic(const Observation& observation) {
+  return observation.redundancy >= kTestable ? std::abs(observation.residual) / std::sqrt(observation.redundancy) : 0.0;
+}
+
 Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start, const Selection& selection) {
   Candidate candidate = adjust(measured, start, selection);
   while (candidate.adjusted.status.ok() && candidate.adjusted.redundancy > 0 &&
@@ -126,7 +108,7 @@ Candidate leaveOutFaults(const MeasuredRobot& measured, const RobotForces& start
     std::optional<Candidate> best;
     for (const Observation& suspect : worstFirst(candidate.adjusted.observations)) {
       Selection without = candidate.selection;
-      leaveOut(suspect, &without);
+      use(suspect, false, &without);
       Candidate trial = adjust(measured, start, without);
       if (!trial.adjusted.status.ok()) continue;
       if (!best || trial.adjusted.weighted_squares < best->adjusted.weighted_squares) best = std::move(trial);
@@ -170,6 +152,20 @@ bool isNoise(const Candidate& candidate) {
 
 bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate) {
   return isNoise(candidate) && isSame(candidate.selection, measured.available);
+}
+
+void use(const Observation& observation, bool used, Selection* selection) {
+  switch (observation.kind) {
+    case Observation::Kind::kLength:
+      selection->lengths[observation.index] = used;
+      break;
+    case Observation::Kind::kTension:
+      selection->tensions[observation.index] = used;
+      break;
+    case Observation::Kind::kLoad:
+      selection->load(static_cast<Eigen::Index>(observation.index)) = used;
+      break;
+  }
 }
 
 bool isSame(const Selection& a, const Selection& b) {

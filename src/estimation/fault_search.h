@@ -5,6 +5,13 @@
 
 namespace cdpr_kinetostatics {
 
+// An error of which less than this share (the square of a hundredth) shows in its own residual cannot be told from
+// others.
+constexpr double kTestable = 1e-4;
+
+// A residual in units of its own standard deviation; 0 if the others cannot check it.
+double statistic(const Observation& observation);
+
 // Adjusts, and leaves out what is faulty, always from the same start. A gross error bends the whole estimate, shows in
 // many residuals and least of all in its own: which one is at fault, leaving out each in turn tells, the likely ones
 // first, until only noise is left.
@@ -26,6 +33,9 @@ bool isNoise(const Candidate& candidate);
 bool isBeyondDoubt(const MeasuredRobot& measured, const Candidate& candidate);
 
 bool isSame(const Selection& a, const Selection& b);
+
+// Takes an observation into the selection, or leaves it out.
+void use(const Observation& observation, bool used, Selection* selection);
 
 // Whether a is the better answer to the same measurements. How they were found plays no part.
 bool isBetter(const MeasuredRobot& measured, const Candidate& a, const Candidate& b);

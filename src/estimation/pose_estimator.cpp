@@ -8,6 +8,8 @@
 #include "estimation/estimate_report.h"
 #include "estimation/fault_search.h"
 #include "estimation/plausibility.h"
+#include "estimation/rival_faults.h"
+#include "estimation/variance_window.h"
 #include "robot/robot_checks.h"
 #include "robot/solution_assembly.h"
 
@@ -73,9 +75,10 @@ constexpr double kFarTurn = 0.2;   // [rad]
 // many messages: it takes many times as long as following, and a wrong pose must not last for ten.
 constexpr int kFreshStart = 5;
 
+bool isTurned(const Pose& from, const Pose& to) { return to.orientation.angularDistance(from.orientation) > kFarTurn; }
+
 bool isFar(const RobotDescription& robot, const Pose& from, const Pose& to) {
-  return (to.position - from.position).norm() > kFarMove * robot.span() ||
-         to.orientation.angularDistance(from.orientation) > kFarTurn;
+  return (to.position - from.position).norm() > kFarMove * robot.span() || isTurned(from, to);
 }
 
 bool isSameAnswer(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
@@ -111,17 +114,20 @@ class PoseEstimator::Tracker {
   };
 
   Estimate solve(MeasuredRobot* measured);
+  Estimate judged(const MeasuredRobot& measured, Candidate* best);
   Found find(MeasuredRobot* measured) const;
   Found fromLast(MeasuredRobot* measured) const;
   Found afresh(MeasuredRobot* measured, const Pose& seed) const;
+  void compete(MeasuredRobot* measured, const Pose& seed, bool wins_ties, Found* found) const;
 
   const RobotDescription& robot_;
   const EstimatorOptions options_;
   Pose seed_;
   Pose near_;  // last pose, or the seed
   std::optional<RobotForces> last_;
-  Selection left_out_;        // by the last estimate
-  int followed_ = 0;          // messages since a fresh start competed
+  Selection left_out_;  // by the last estimate
+  int followed_ = 0;    // messages since a fresh start competed
+  VarianceWindow window_;
   std::vector<Model> rungs_;  // AUTO: those in use; empty at first
 };
 
@@ -151,7 +157,7 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
   }
   Estimate estimate;
   if (status.ok()) {
-    estimate = report(*measured, &found.best);
+    estimate = judged(*measured, &found.best);
     estimate.warm_started = found.warm_started;
     last_ = found.best.adjusted.unknowns;
     left_out_ = leftOut(*measured, found.best);
@@ -166,6 +172,36 @@ Estimate PoseEstimator::Tracker::solve(MeasuredRobot* measured) {
     rungs_.clear();
   }
   estimate.solution.report.iterations = found.iterations;
+  return estimate;
+}
+
+// Faults are judged by the deviations given, else a drum that slips slowly would never be one. What they leave is
+// weighed by the deviations that it shows.
+Estimate PoseEstimator::Tracker::judged(const MeasuredRobot& measured, Candidate* best) {
+  std::vector<Candidate> rivals = rivalsOf(measured, best);
+  window_.add(*best);
+  const DeviationFactors factors = window_.factors(*best);
+  const EstimatorOptions options = widened(options_, factors);
+  const MeasuredRobot believed{robot_,        options, measured.measurements, measured.deadline, measured.available,
+                               measured.rungs};
+  if (isWider(factors)) {
+    const auto again = [&](Candidate* candidate) {
+      Candidate wide = adjust(believed, candidate->adjusted.unknowns, candidate->selection);
+      if (wide.adjusted.status.ok()) *candidate = std::move(wide);
+    };
+    again(best);
+    for (Candidate& rival : rivals) again(&rival);
+  }
+  const std::vector<Candidate> unproven = unprovenFaults(believed, *best);
+  Estimate estimate;
+  if (Clock::now() > measured.deadline) {
+    estimate.solution = refusedRobot(
+        options_.model,
+        {Code::kTimedOut, "the time allowed ran out before it was certain which measurements may be at fault"});
+    return estimate;
+  }
+  estimate = report(believed, best, rivals, unproven);
+  estimate.deviation_factors = factors;
   return estimate;
 }
 
@@ -185,21 +221,29 @@ PoseEstimator::Tracker::Found PoseEstimator::Tracker::find(MeasuredRobot* measur
       return found;
     }
   }
-  for (const Pose* seed : {&seed_, &robot_.home, &near_}) {
-    const bool first = seed == &seed_;
-    if (!first && (isSame(*seed, seed_) || isBeyondDoubt(*measured, found.best))) continue;
-    if (seed == &near_ && isNoise(found.best)) continue;
-    Found fresh = afresh(measured, *seed);
-    const int iterations = found.iterations + fresh.iterations;
-    const bool better = continues || !first ? isBetter(*measured, fresh.best, found.best)
-                                            : !isBetter(*measured, found.best, fresh.best);
-    if (better) {
-      fresh.warm_started = found.warm_started && isSameAnswer(*measured, found.best, fresh.best);
-      found = std::move(fresh);
-    }
-    found.iterations = iterations;
+  compete(measured, seed_, !continues, &found);
+  if (!isSame(robot_.home, seed_) && !isBeyondDoubt(*measured, found.best)) {
+    compete(measured, robot_.home, false, &found);
+  }
+  if (!isSame(near_, seed_) && !isNoise(found.best)) compete(measured, near_, false, &found);
+  // A start far away may end on its head, where some of the measurements fit.
+  const Pose at = found.best.adjusted.unknowns.pose;
+  if (found.best.adjusted.status.ok() && isTurned(seed_, at) && !isBeyondDoubt(*measured, found.best)) {
+    compete(measured, {at.position, seed_.orientation}, false, &found);
   }
   return found;
+}
+
+void PoseEstimator::Tracker::compete(MeasuredRobot* measured, const Pose& seed, bool wins_ties, Found* found) const {
+  Found fresh = afresh(measured, seed);
+  const int iterations = found->iterations + fresh.iterations;
+  const bool better =
+      wins_ties ? !isBetter(*measured, found->best, fresh.best) : isBetter(*measured, fresh.best, found->best);
+  if (better) {
+    fresh.warm_started = found->warm_started && isSameAnswer(*measured, found->best, fresh.best);
+    *found = std::move(fresh);
+  }
+  found->iterations = iterations;
 }
 
 PoseEstimator::Tracker::Found PoseEstimator::Tracker::fromLast(MeasuredRobot* measured) const {
@@ -234,6 +278,7 @@ void PoseEstimator::Tracker::reset(const Pose& seed) {
   last_.reset();
   rungs_.clear();
   followed_ = 0;
+  window_.clear();
   seed_ = near_ = seed;
 }
 

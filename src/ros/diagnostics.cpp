@@ -1,12 +1,29 @@
 #include "ros/diagnostics.h"
 
 #include "cable/text.h"
+#include "estimation/fault_names.h"
 #include "ros/clock_watch.h"
 
 namespace cdpr_kinetostatics {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
+
+namespace {
+
+// Empty if measurements agree within their deviations.
+std::string disagreementOf(const DeviationFactors& factors) {
+  std::string all;
+  const auto add = [&](const char* what, const char* parameter, double factor) {
+    if (factor > 1.0) all += text(all.empty() ? "" : ", ", what, " ", factor, " times as far as ", parameter, " says");
+  };
+  add("lengths", "~length_stddev", factors.lengths);
+  add("tensions", "~tension_stddev", factors.tensions);
+  add("the load", "~load_stddev", factors.load);
+  return all.empty() ? "" : "measurements disagree: " + all + "; the covariance is widened";
+}
+
+}  // namespace
 
 Diagnostics::Diagnostics(const ros::NodeHandle& private_handle, EstimatorLoop& loop, const NodeParameters& parameters)
     : loop_(loop),
@@ -105,8 +122,9 @@ void Diagnostics::solver(DiagnosticStatusWrapper& status) {
 
 void Diagnostics::estimate(DiagnosticStatusWrapper& status) {
   const EstimatorStatus& now = estimator_status_;
-  std::string outliers;
-  for (const std::string& name : now.outliers) outliers += (outliers.empty() ? "" : ", ") + name;
+  const std::string outliers = joined(now.outliers);
+  const std::string suspects = joined(now.suspects);
+  const std::string disagreement = disagreementOf(now.deviation_factors);
   if (now.solves == now.failures) {
     status.summary(DiagnosticStatus::OK, "no estimate yet");
     return;
@@ -117,13 +135,21 @@ void Diagnostics::estimate(DiagnosticStatusWrapper& status) {
     status.summary(DiagnosticStatus::WARN,
                    text("the measurements leave ", now.unobservable_directions, " directions of the pose unknown"));
   } else if (!outliers.empty()) {
-    status.summary(DiagnosticStatus::WARN, "left out as faulty: " + outliers);
+    status.summary(DiagnosticStatus::WARN, "left out as faulty: " + outliers +
+                                               (suspects.empty() ? "" : "; it may be instead: " + suspects) +
+                                               (disagreement.empty() ? "" : "; " + disagreement));
+  } else if (!disagreement.empty()) {
+    status.summary(DiagnosticStatus::WARN, disagreement);
   } else if (is_point_mass_) {
     status.summary(DiagnosticStatus::OK, "measurements agree; a point mass has no attitude, its variance is unknown");
   } else {
     status.summary(DiagnosticStatus::OK, "measurements agree");
   }
   status.add("left out as faulty", outliers);
+  status.add("may be at fault instead", suspects);
+  status.add("lengths: disagreement over deviation", now.deviation_factors.lengths);
+  status.add("tensions: disagreement over deviation", now.deviation_factors.tensions);
+  status.add("load: disagreement over deviation", now.deviation_factors.load);
   status.add("unknown directions", now.unobservable_directions);
   status.add("position standard deviation [m]", now.position_stddev);
   if (!is_point_mass_) status.add("rotation standard deviation [rad]", now.rotation_stddev);

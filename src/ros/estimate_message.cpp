@@ -48,7 +48,8 @@ KinetostaticState fromEstimate(const Estimate& estimate, const CableMeasurements
     state.tension_residual = estimate.tension_residual;
   }
   for (std::size_t i = 0; i < estimate.length_outlier.size(); ++i) {
-    state.outlier.push_back(estimate.length_outlier[i] || estimate.tension_outlier[i]);
+    const bool left_out = estimate.length_outlier[i] || estimate.tension_outlier[i];
+    state.outlier.push_back(left_out || estimate.length_suspect[i] || estimate.tension_suspect[i]);
   }
   return state;
 }

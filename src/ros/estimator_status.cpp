@@ -3,25 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/fault_names.h"
+
 namespace cdpr_kinetostatics {
-
-namespace {
-
-std::vector<std::string> outliersOf(const Estimate& estimate) {
-  static const char* const kComponents[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < estimate.length_outlier.size(); ++i) {
-    const std::string& cable = estimate.solution.cables[i].name;
-    if (estimate.length_outlier[i]) names.push_back("length of " + cable);
-    if (estimate.tension_outlier[i]) names.push_back("tension of " + cable);
-  }
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    if (estimate.load_outlier(k)) names.push_back(std::string("known load, ") + kComponents[k]);
-  }
-  return names;
-}
-
-}  // namespace
 
 void EstimatorStatus::add(const Estimate& estimate, const KinetostaticState& state) {
   last = state.report;
@@ -36,7 +20,9 @@ void EstimatorStatus::add(const Estimate& estimate, const KinetostaticState& sta
     return;
   }
   if (!last.warm_started) ++cold_starts;
-  outliers = outliersOf(estimate);
+  outliers = faultNames(estimate.solution, estimate.length_outlier, estimate.tension_outlier, estimate.load_outlier);
+  suspects = faultNames(estimate.solution, estimate.length_suspect, estimate.tension_suspect, estimate.load_suspect);
+  deviation_factors = estimate.deviation_factors;
   unobservable_directions = estimate.unobservable_directions;
   redundancy = estimate.redundancy;
   weighted_squares = estimate.weighted_squares;

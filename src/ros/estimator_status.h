@@ -25,6 +25,8 @@ struct EstimatorStatus {
   std::string last_failure;  // message of the last solve that failed
   // Of the last estimate.
   std::vector<std::string> outliers;  // "length of cable3", "known load, force x"
+  std::vector<std::string> suspects;  // which may be at fault instead
+  DeviationFactors deviation_factors;
   int unobservable_directions = 0;
   int redundancy = 0;
   double weighted_squares = 0.0;

@@ -30,7 +30,7 @@ Problem randomProblem(Eigen::Index cables, Eigen::Index rows, Dice* dice) {
   }
   for (Eigen::Index row = 0; row < rows; ++row) {
     problem.adjusted.observations.push_back(
-        {Observation::Kind::kLength, static_cast<std::size_t>(row), dice->normal(), 0.0});
+        {Observation::Kind::kLength, static_cast<std::size_t>(row), dice->normal(), 0.0, row});
   }
   return problem;
 }

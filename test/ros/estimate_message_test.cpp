@@ -24,6 +24,7 @@ class EstimateMessage : public testing::Test {
     estimate_.tension_residual = {10.0, 20.0};
     estimate_.length_outlier = {true, false};
     estimate_.tension_outlier = {false, false};
+    estimate_.length_suspect = estimate_.tension_suspect = {false, false};
     measurement_.header.stamp = ros::Time(12, 34);
     measurement_.header.frame_id = "whatever the drives say";
     measurement_.cables.lengths.resize(2);
@@ -54,6 +55,8 @@ TEST_F(EstimateMessage, HoldsPoseLoadAndResiduals) {
   ASSERT_EQ(state().outlier.size(), 2u);
   EXPECT_TRUE(state().outlier[0]);
   EXPECT_FALSE(state().outlier[1]);
+  estimate_.tension_suspect[1] = true;
+  EXPECT_TRUE(state().outlier[1]);
 }
 
 TEST_F(EstimateMessage, HasNoResidualsOfTensionsThatNobodyMeasured) {

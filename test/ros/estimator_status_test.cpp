@@ -60,6 +60,18 @@ TEST(EstimatorStatus, NamesWhatWasLeftOut) {
   EXPECT_EQ(status.outliers, (std::vector<std::string>{"tension of left", "length of right", "known load, torque y"}));
 }
 
+TEST(EstimatorStatus, NamesWhatMayBeAtFaultInstead) {
+  Estimate estimate = estimateOfTwoCables();
+  estimate.length_suspect = {true, false};
+  estimate.tension_suspect = {false, false};
+  estimate.load_suspect(0) = true;
+  estimate.deviation_factors.tensions = 2.5;
+  EstimatorStatus status;
+  status.add(estimate, stateOf(SolveReport::CONVERGED, 0.001));
+  EXPECT_EQ(status.suspects, (std::vector<std::string>{"length of left", "known load, force x"}));
+  EXPECT_EQ(status.deviation_factors.tensions, 2.5);
+}
+
 TEST(EstimatorStatus, TakesTheLargestDeviationOfWhatIsKnown) {
   EstimatorStatus status;
   status.add(estimateOfTwoCables(), stateOf(SolveReport::CONVERGED, 0.001));

@@ -47,6 +47,11 @@ struct CableMeasurements {
   std::vector<std::optional<double>> tensions;  // at A [N]
 };
 
+// Deviations of the measurements over those that the options say, 1 or more.
+struct DeviationFactors {
+  double lengths = 1.0, tensions = 1.0, load = 1.0;
+};
+
 struct Estimate {
   // Pose, cables and evidence; report.status tells whether there is an estimate at all.
   RobotSolution solution;
@@ -72,6 +77,12 @@ struct Estimate {
   std::vector<double> length_redundancy, tension_redundancy;
   // Components of the known load that the measurements contradict.
   Eigen::Array<bool, 6, 1> load_outlier = Eigen::Array<bool, 6, 1>::Constant(false);
+  // What may be at fault instead: measurements and components of the load, each of which, left out in the place of one
+  // that was, leaves the others in agreement as well. The covariance covers the answers without these.
+  std::vector<bool> length_suspect, tension_suspect;
+  Eigen::Array<bool, 6, 1> load_suspect = Eigen::Array<bool, 6, 1>::Constant(false);
+  // More than 1 where the last messages disagree beyond their deviations: the estimate uses deviations so much larger.
+  DeviationFactors deviation_factors;
 
   double weighted_squares = 0.0;  // sum of squared residuals in units of their standard deviations
   int redundancy = 0;             // measurements in use minus unknowns

@@ -216,9 +216,10 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
 }
 
 Adjusted evaluate(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
-                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at) {
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at,
+                  Clock::time_point deadline) {
   Adjusted adjusted;
-  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, at), at);
+  Adjustment adjustment(robot, measurementsBlock(robot, options, measurements, selection, rungs, at, deadline), at);
   const bool evaluated = adjustment.read(observationsOf(robot, selection), &adjusted);
   adjusted.status.code = evaluated ? Code::kConverged : Code::kNotConverged;
   return adjusted;

@@ -56,8 +56,10 @@ Adjusted adjust(const RobotDescription& robot, const EstimatorOptions& options, 
                 const Selection& selection, const std::vector<Model>& rungs, const RobotForces& start,
                 std::chrono::steady_clock::time_point deadline);
 
-// Residuals and Jacobian at the state given, without adjusting it: observations have no redundancies yet.
+// Residuals and Jacobian at the state given, without adjusting it: observations have no redundancies yet. After the
+// deadline bending cables cannot be evaluated.
 Adjusted evaluate(const RobotDescription& robot, const EstimatorOptions& options, const CableMeasurements& measurements,
-                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at);
+                  const Selection& selection, const std::vector<Model>& rungs, const RobotForces& at,
+                  std::chrono::steady_clock::time_point deadline);
 
 }  // namespace cdpr_kinetostatics

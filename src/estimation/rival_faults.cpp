@@ -62,7 +62,7 @@ Exchange exchangeOf(const MeasuredRobot& measured, const Candidate& best, const 
   Exchange exchange{best.selection, {fault}, {}};
   use(fault, true, &exchange.with);
   const Adjusted at = evaluate(measured.robot, measured.options, measured.measurements, exchange.with, measured.rungs,
-                               best.adjusted.unknowns);
+                               best.adjusted.unknowns, measured.deadline);
   if (!at.status.ok()) return exchange;
   const std::vector<LeftOut> gains = foreseen(at);
   for (const LeftOut& gain : gains) {
@@ -97,10 +97,20 @@ void addExchanges(const MeasuredRobot& measured, Candidate* best, std::vector<Ca
   }
 }
 
+// Payloads come and go every day, sensors fail seldom: of answers that the data cannot tell apart, one without the
+// known load goes before those that keep it.
+bool isLikelier(const MeasuredRobot& measured, const Candidate& a, const Candidate& b) {
+  const bool payload_a = (a.selection.load != measured.available.load).any();
+  const bool payload_b = (b.selection.load != measured.available.load).any();
+  if (payload_a == payload_b) return isBetter(measured, a, b);
+  const double gain = b.adjusted.weighted_squares - a.adjusted.weighted_squares;
+  return payload_a ? gain > -kAsLikely : gain > kAsLikely;
+}
+
 bool takeBetter(const MeasuredRobot& measured, Candidate* best, std::vector<Candidate>* rivals) {
   bool taken = false;
   for (Candidate& rival : *rivals) {
-    if (!isBetter(measured, rival, *best)) continue;
+    if (!isLikelier(measured, rival, *best)) continue;
     std::swap(rival, *best);
     taken = true;
   }
@@ -116,7 +126,9 @@ std::vector<Candidate> rivalsOf(const MeasuredRobot& measured, Candidate* best) 
   do {
     addExchanges(measured, best, &rivals);
   } while (takeBetter(measured, best, &rivals));
-  const double most = best->adjusted.weighted_squares + kAsLikely;
+  double least = best->adjusted.weighted_squares;
+  for (const Candidate& rival : rivals) least = std::min(least, rival.adjusted.weighted_squares);
+  const double most = least + kAsLikely;
   const auto unlikely = [&](const Candidate& rival) { return rival.adjusted.weighted_squares > most; };
   rivals.erase(std::remove_if(rivals.begin(), rivals.end(), unlikely), rivals.end());
   return rivals;

@@ -64,7 +64,9 @@ TEST_P(RivalFaults, AreAllThatExplainTheMeasurementsAsWell) {
     const double least = std::min_element(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
                            return a.squares < b.squares;
                          })->squares;
-    EXPECT_NEAR(best.adjusted.weighted_squares, least, 0.1) << cable;  // closer ones are equally good
+    // An answer without the known load goes before others that are as likely; 0.1: closer ones are equally good.
+    const bool payload = (best.selection.load != measured.available.load).any();
+    EXPECT_LT(best.adjusted.weighted_squares, least + (payload ? kAsLikely : 0.1)) << cable;
     for (const Tried& one : tried) {
       if (std::abs(one.squares - least - kAsLikely) < 0.2 || isSame(one.selection, best.selection)) continue;
       const bool found = std::any_of(rivals.begin(), rivals.end(),

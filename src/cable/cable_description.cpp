@@ -9,11 +9,13 @@ CableSolution solutionUnder(const CableProperties& cable, double length, const F
   CableSolution solution;
   solution.status.code = Code::kConverged;
   solution.length = length;
+  solution.free_length = length;
   solution.strained_length = length;
   solution.horizontal_force = forces.horizontal;
   solution.vertical_force_a = forces.vertical;
   solution.tension_a = forces.tension();
-  solution.tension_b = std::hypot(forces.horizontal, forces.vertical - cable.weight * length);
+  solution.vertical_force_b = forces.vertical - cable.weight * length;
+  solution.tension_b = std::hypot(forces.horizontal, solution.vertical_force_b);
   return solution;
 }
 

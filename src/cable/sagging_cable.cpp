@@ -95,6 +95,10 @@ double SaggingCable::length() const {
   return std::visit([&](const auto& kind) { return kind.length(); }, kind_);
 }
 
+double SaggingCable::verticalForceB() const { return verticalForceA() - properties().weight * length(); }
+
+Eigen::RowVector3d SaggingCable::verticalForceBDerivative() const { return {0.0, 1.0, -properties().weight}; }
+
 const CableProperties& SaggingCable::properties() const {
   return std::visit([&](const auto& kind) -> const CableProperties& { return kind.properties(); }, kind_);
 }

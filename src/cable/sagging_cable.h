@@ -78,6 +78,10 @@ class SaggingCable {
   double horizontalForce() const { return forces().horizontal; }
   double verticalForceA() const { return forces().vertical; }
   double tensionA() const { return forces().tension(); }
+  // V - q times the free length: with what the cable lifts its end B [N]; and its derivative by (H, V, L). Of the
+  // last linearise().
+  double verticalForceB() const;
+  Eigen::RowVector3d verticalForceBDerivative() const;
   double length() const;
   const CableProperties& properties() const;
   Model model() const { return model_; }

@@ -78,12 +78,12 @@ int placeAroundBend(const ShotCable& cable, double error, std::vector<MeshInterv
   const ShotParameters p = cable.parameters();
   if (p.q == 0.0) return 0;
   const double span = cable.span();
-  const auto endLayer = [&](double end, double inwards) {
-    const double layers = std::max(kFewestLayersAtEnd, layersNeeded(p, end, span, error));
+  const auto endLayer = [&](double end, double inwards, double moment) {
+    const double layers = std::max(kFewestLayersAtEnd, layersNeeded(p, end, span, error, moment));
     return end + inwards * layers / layerRate(p, end + 0.5 * inwards * layers / layerRate(p, end));
   };
-  const double a = endLayer(0.0, 1.0);
-  const double b = endLayer(span, -1.0);
+  const double a = endLayer(0.0, 1.0, cable.momentAtA());
+  const double b = endLayer(span, -1.0, 0.0);
   const double bend = p.v / p.q;
   const Leg first = a < std::min(bend, b) ? quietLeg(p, a, std::min(bend, b), bend, error) : Leg{};
   const Leg second = b > std::max(bend, a) ? quietLeg(p, std::max(bend, a), b, bend, error) : Leg{};
@@ -100,7 +100,9 @@ int placeAroundBend(const ShotCable& cable, double error, std::vector<MeshInterv
   return std::max(first.order, second.order);
 }
 
-int bendOrder(const std::vector<MeshInterval>& intervals, const ShotParameters& p, double span, double error) {
+int bendOrder(const std::vector<MeshInterval>& intervals, const ShotCable& cable, double error) {
+  const ShotParameters p = cable.parameters();
+  const double span = cable.span();
   int order = 0;
   for (const MeshInterval& interval : intervals) {
     const double from = interval.begin * span;
@@ -113,14 +115,14 @@ int bendOrder(const std::vector<MeshInterval>& intervals, const ShotParameters& 
     if (here == 0) return 0;
     order = std::max(order, here);
   }
-  const auto longEnough = [&](double end, double layer) {
+  const auto longEnough = [&](double end, double layer, double moment) {
     return layersBetween(p, std::min(end, layer), std::max(end, layer)) >=
-           kShortLayer * layersNeeded(p, end, span, error);
+           kShortLayer * layersNeeded(p, end, span, error, moment);
   };
   const auto quiet = [](const MeshInterval& interval) { return interval.quiet; };
   const auto first = std::find_if(intervals.begin(), intervals.end(), quiet);
   const auto last = std::find_if(intervals.rbegin(), intervals.rend(), quiet);
-  return longEnough(0.0, first->begin * span) && longEnough(span, last->end * span) ? order : 0;
+  return longEnough(0.0, first->begin * span, cable.momentAtA()) && longEnough(span, last->end * span, 0.0) ? order : 0;
 }
 
 }  // namespace cdpr_kinetostatics

@@ -13,6 +13,6 @@ namespace cdpr_kinetostatics {
 int placeAroundBend(const ShotCable& cable, double error, std::vector<MeshInterval>* intervals);
 
 // The number of terms under other forces; 0 if the mesh no longer fits them.
-int bendOrder(const std::vector<MeshInterval>& intervals, const ShotParameters& parameters, double span, double error);
+int bendOrder(const std::vector<MeshInterval>& intervals, const ShotCable& cable, double error);
 
 }  // namespace cdpr_kinetostatics

@@ -8,7 +8,8 @@
 #include "cable/bending_newton.h"
 #include "cable/bending_path.h"
 #include "cable/cable_checks.h"
-#include "cable/catenary.h"
+#include "cable/pulley_cable.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
@@ -52,6 +53,9 @@ constexpr int kMostSofter = 6;
 // Steps of the continuation: the hardest of the stability map's cables (docs/stability.md) take some hundred.
 constexpr int kMaxPathSteps = 400;
 
+// On a pulley there is tension, and a path that is not short leads to where the rope lifts off.
+constexpr int kMaxPulleySteps = 40;
+
 // A point of the path along which a safe problem becomes the one asked for.
 struct PathPoint {
   CableProperties cable;
@@ -80,7 +84,7 @@ std::optional<ForcesAtA> openCatenary(double length, double x, double y, const S
   std::optional<ForcesAtA> catenary;
   for (int i = kOpenings; i >= 0 && !limits.haveEnded(); --i) {
     start->x = std::max(x, wide * std::pow(kOpening, -i));
-    catenary = catenaryForces(start->cable, length, start->x, y);
+    catenary = hangingForces(start->cable, length, start->x, y);
     if (start->x >= wide || (catenary && sharpestBend(start->cable, length, *catenary) < kSafeBend)) break;
   }
   return catenary;
@@ -102,8 +106,10 @@ std::optional<SafeStart> safeStart(const CableProperties& cable, double length, 
   return SafeStart{start, *catenary};
 }
 
-// WRONG_BRANCH if shooting has converged to another equilibrium than the one asked for.
+// WRONG_BRANCH if shooting has converged to another equilibrium than the one asked for, INFEASIBLE if to one that its
+// pulley does not hold.
 SolveOutcome checked(SolveOutcome outcome, const MultipleShooting& shooting) {
+  if (outcome.status.ok()) outcome.status = shooting.contact();
   if (outcome.status.ok() && !onSaggingBranch(shooting)) {
     outcome.status = {Code::kWrongBranch, "the cable snapped to another equilibrium"};
   }
@@ -111,7 +117,9 @@ SolveOutcome checked(SolveOutcome outcome, const MultipleShooting& shooting) {
 }
 
 // No other start needs to be tried.
-bool isFinal(const SolveOutcome& outcome) { return outcome.status.ok() || outcome.status.code == Code::kTimedOut; }
+bool isFinal(const SolveOutcome& outcome) {
+  return outcome.status.ok() || outcome.status.code == Code::kTimedOut || outcome.status.code == Code::kInfeasible;
+}
 
 SolveOutcome continueFromCatenary(const CableProperties& cable, double length, double x, double y,
                                   const SolveLimits& limits, MultipleShooting* shooting) {
@@ -132,7 +140,8 @@ SolveOutcome continueFromCatenary(const CableProperties& cable, double length, d
   const PathPoint goal{cable, x};
   const bool changes = start.cable.bending_stiffness != cable.bending_stiffness || start.cable.weight != cable.weight;
   return followPath(
-      outcome, kMaxPathSteps, "the sagging equilibrium was lost on the way from the catenary to this bending stiffness",
+      outcome, hasPulley(cable) ? kMaxPulleySteps : kMaxPathSteps,
+      "the sagging equilibrium was lost on the way from the catenary to this bending stiffness",
       [&](double share) {
         const PathPoint point = between(start, goal, share);
         if (changes) shooting->changeProperties(point.cable);
@@ -156,13 +165,17 @@ SolveOutcome lieUnloaded(const CableProperties& cable, double length, double x, 
 
 bool onSaggingBranch(const MultipleShooting& shooting) {
   const double length = shooting.length();
-  return shooting.stable() && shooting.areaBelowChord() >= -kAreaRounding * length * length &&
+  return shooting.stable() &&
+         shooting.areaBelowChord() >= -kAreaRounding * length * length - shooting.areaOfPulleyMoment() &&
          std::abs(shooting.turning()) < kLoopAngle;
 }
 
 SolveOutcome solveBendingForces(const CableProperties& cable, double length, double x, double y,
                                 const SolveLimits& limits, MultipleShooting* shooting) {
-  if (std::isinf(cable.axial_stiffness) && std::hypot(x, y) >= length) return {cannotReach(length, std::hypot(x, y))};
+  const Status reach = hasPulley(cable) ? pulleyRefusal(cable, length, x, y) : Status{Code::kConverged, ""};
+  if (!reach.ok()) return {reach};
+  const double way = straightWay(cable, x, y);
+  if (std::isinf(cable.axial_stiffness) && way >= length) return {cannotReach(length, way)};
   const double feather = kFeather * cable.bending_stiffness / (length * length * length);
   if (cable.weight < feather && std::hypot(x, y) <= kCoinciding * length) {
     CableProperties light = cable;
@@ -170,11 +183,18 @@ SolveOutcome solveBendingForces(const CableProperties& cable, double length, dou
     return solveBendingForces(light, length, x, y, limits, shooting);
   }
   SolveOutcome outcome;
-  const std::optional<ForcesAtA> catenary = catenaryForces(cable, length, x, y);
+  const std::optional<ForcesAtA> catenary = hangingForces(cable, length, x, y);
   if (catenary && pullsAllAlong(cable, length, *catenary) && sharpestBend(cable, length, *catenary) < kSharpBend) {
     shooting->start(cable, length, catenary->horizontal, catenary->vertical, limits.tolerance);
     outcome.then(newton({Goal::kEndPoint, length, {x, y}}, limits, kMaxNewtonIterations, shooting));
-    if (isFinal(checked(outcome, *shooting))) return outcome;
+    const SolveOutcome direct = checked(outcome, *shooting);
+    if (isFinal(direct)) return direct;
+  }
+  if (hasPulley(cable)) {  // which holds no rope that pushes
+    outcome.then(continueFromCatenary(cable, length, x, y, limits, shooting));
+    const bool lost = outcome.status.code == Code::kNotConverged || outcome.status.code == Code::kWrongBranch;
+    if (lost && isTooStiff(cable, shooting->forces())) outcome.status = liftsOff(cable.pulley);
+    return outcome;
   }
   const double compression = std::isfinite(cable.axial_stiffness)
                                  ? cable.axial_stiffness * (1.0 - std::hypot(x, y) / length)

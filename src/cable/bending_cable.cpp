@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "cable/cable_description.h"
+#include "cable/pulley_description.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/step_limits.h"
 #include "cable/tautness.h"
 
@@ -36,12 +38,13 @@ double BendingCable::dampingFor(const Eigen::Vector3d& change) const {
 }
 
 CableSolution BendingCable::describe(double x, double y, int profile_points) const {
-  CableSolution solution = solutionUnder(properties_, length(), forces());
+  CableSolution solution = solutionUnder(properties_, freeLength(), forces());
   shooting_.measure(profile_points, &solution);
+  if (!beginsAtEyelet(properties_)) addHeldRope(properties_, length(), &solution);
   solution.end_jacobian = end().jacobian;
   solution.force_jacobian = forceJacobian(end());
   solution.moment_residual = shooting_.momentDefect();
-  solution.closure_residual = std::hypot(solution.x - x, solution.y - y);
+  solution.closure_residual += std::hypot(solution.x - x, solution.y - y);
   return solution;
 }
 

@@ -30,6 +30,8 @@ class BendingCable {
   ForcesAtA forces() const { return {shooting_.horizontalForce(), shooting_.verticalForceA()}; }
   double length() const { return shooting_.length(); }
   const EndPoint& end() const { return shooting_.end(); }
+  double freeLength() const { return shooting_.freeLength(); }
+  Eigen::RowVector3d freeLengthDerivative() const { return shooting_.freeLengthDerivative(); }
 
   void start(double length, const ForcesAtA& forces);
   SolveOutcome startUnder(double length, const ForcesAtA& forces, const SolveLimits& limits);

@@ -7,6 +7,7 @@
 #include "cable/bending_newton.h"
 #include "cable/bending_path.h"
 #include "cable/bending_vertical.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/tautness.h"
 
 namespace cdpr_kinetostatics {
@@ -216,13 +217,17 @@ SolveOutcome searchPosition(const CableProperties& cable, double length, const F
   if (outcome.ok() || outcome.status.code == Code::kTimedOut) return outcome;
   const double force =
       std::max(forces.tension(), std::hypot(forces.horizontal, forces.vertical - cable.weight * length));
-  if (length * std::sqrt(force / cable.bending_stiffness) < kScanLayers) {
+  if (!hasPulley(cable) && length * std::sqrt(force / cable.bending_stiffness) < kScanLayers) {
     outcome.then(AngleScan(cable, length, forces, limits, shooting).run());
     if (outcome.status.code != Code::kNotConverged) return outcome;
   }
   if (forces.vertical > 0.0 && forces.vertical < cable.weight * length) {
     outcome.then(closeLoop(cable, length, forces, limits, shooting));
     if (outcome.status.code != Code::kNotConverged) return outcome;
+  }
+  if (hasPulley(cable)) {  // which holds no rope that pushes
+    if (isTooStiff(cable, forces)) outcome.status = liftsOff(cable.pulley);
+    return outcome;
   }
   outcome.then(searchEndOfForces(cable, length, forces, limits, shooting));
   return outcome;
@@ -238,7 +243,7 @@ SolveOutcome followBendingPosition(double length, const ForcesAtA& forces, const
 SolveOutcome solveBendingPosition(const CableProperties& cable, double length, const ForcesAtA& forces,
                                   const SolveLimits& limits, MultipleShooting* shooting) {
   const auto search = [&](const ForcesAtA& under) { return searchPosition(cable, length, under, limits, shooting); };
-  if (!isNextToVertical(cable, length, forces)) return search(forces);
+  if (hasPulley(cable) || !isNextToVertical(cable, length, forces)) return search(forces);
   SolveOutcome outcome = startFromCatenary(cable, length, forces, limits, shooting);
   if (outcome.ok() || outcome.status.code == Code::kTimedOut) return outcome;
   outcome.then(standStraight(cable, length, forces, limits, shooting));

@@ -94,11 +94,18 @@ Status checkAxialStiffness(double axial_stiffness, Model model) {
                       modelName(model), " stretches the cable; an inextensible model needs none"));
 }
 
+Status checkWinchSide(const CableProperties& cable) {
+  return firstRefusal(
+      checkZeroOrBetween("pulley_radius", cable.pulley.radius, kLeastPulleyRadius, kLargestPulleyRadius, "m"),
+      checkNotNegative("dead_length", cable.dead_length, kLargestDeadLength, "m"));
+}
+
 Status checkCable(const CableProperties& cable, Model model) {
   return firstRefusal(checkAxialStiffness(cable.axial_stiffness, model),
                       checkZeroOrBetween("weight", cable.weight, kLeastWeight, kLargestForce, "N/m"),
                       checkZeroOrBetween("bending_stiffness", cable.bending_stiffness, kLeastBendingStiffness,
-                                         kLargestBendingStiffness, "N m^2"));
+                                         kLargestBendingStiffness, "N m^2"),
+                      checkWinchSide(cable));
 }
 
 Status checkLength(const Field& field, double length) {

@@ -54,6 +54,8 @@ Status checkProfilePoints(const Field& field, int points, int most = kMostProfil
 
 Status checkOptions(const CableSolverOptions& options);
 Status checkAxialStiffness(double axial_stiffness, Model model);
+// Guide pulley and dead length.
+Status checkWinchSide(const CableProperties& cable);
 Status checkCable(const CableProperties& cable, Model model);
 Status checkLength(const Field& field, double length);
 Status checkEnd(double x, double y);

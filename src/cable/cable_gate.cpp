@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cable/cable_checks.h"
+#include "cable/rope_on_pulley.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -30,6 +31,8 @@ bool isFinite(const CableSolution& s) {
                             s.tension_b,
                             s.angle_a,
                             s.angle_b,
+                            s.free_length,
+                            s.wrap_angle,
                             s.vertical_force_a,
                             s.sag,
                             s.max_moment,
@@ -72,6 +75,10 @@ Status verdictOf(const SaggingCable& cable, const CableSolution& solution, doubl
     return {Code::kNotConverged,
             "the cable's segments do not join: " + named("the moment jumps by", solution.moment_residual, "N m")};
   }
+  const ForcesAtA forces{solution.horizontal_force, solution.vertical_force_a};
+  const Status contact = isStraight(solution.model) ? checkWrap(cable.properties().pulley, solution.angle_a)
+                                                    : checkContact(cable.properties(), forces, solution.angle_a);
+  if (!contact.ok()) return contact;
   if (!cable.onBranch()) {
     return {Code::kWrongBranch, "the equilibrium found is not the sagging, stable one"};
   }

@@ -160,13 +160,19 @@ double catenaryStrainedLength(const CableProperties& cable, double h, double v_a
   return length + 0.5 * (mean + loop) / cable.axial_stiffness;
 }
 
+Status catenaryReach(const CableProperties& cable, double length, double chord) {
+  if (std::isinf(cable.axial_stiffness) && length <= chord) return cannotReach(length, chord);
+  if (cable.weight == 0.0 && length >= chord) {
+    return {Code::kInfeasible,
+            "a slack cable without weight and bending stiffness has no defined shape: give it a linear density"};
+  }
+  return {Code::kConverged, ""};
+}
+
 SolveOutcome solveCatenaryForces(const CableProperties& cable, double length, double x, double y, ForcesAtA* forces) {
   const double chord = std::hypot(x, y);
-  if (std::isinf(cable.axial_stiffness) && length <= chord) return {cannotReach(length, chord)};
-  if (cable.weight == 0.0 && length >= chord) {
-    return {{Code::kInfeasible,
-             "a slack cable without weight and bending stiffness has no defined shape: give it a linear density"}};
-  }
+  const Status reach = catenaryReach(cable, length, chord);
+  if (!reach.ok()) return {reach};
   if (x == 0.0) {
     *forces = verticalForces(cable, length, y);
     return {{Code::kConverged, ""}};

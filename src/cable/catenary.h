@@ -10,6 +10,7 @@
 #include "cable/solve_outcome.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/report.h"
 
 namespace cdpr_kinetostatics {
 
@@ -26,6 +27,9 @@ double catenaryAngle(const CableProperties& cable, double horizontal_force, doub
 // Unstrained length plus stretch [m].
 double catenaryStrainedLength(const CableProperties& cable, double horizontal_force, double vertical_force_a,
                               double length);
+
+// Whether a catenary of this length spans the chord at all; if not, why.
+Status catenaryReach(const CableProperties& cable, double length, double chord);
 
 // Problem 2. The end point is the gradient of the (strictly convex) complementary energy of the force, so a damped
 // Newton method finds the one answer from anywhere. x >= 0. Infeasible where there is no answer: an inextensible cable

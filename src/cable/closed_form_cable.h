@@ -26,6 +26,9 @@ class ClosedFormCable {
   const ForcesAtA& forces() const { return forces_; }
   double length() const { return length_; }
   const EndPoint& end() const { return end_; }
+  // The length of the part that hangs freely, and its derivative by (H, V, L): all of it.
+  double freeLength() const { return length_; }
+  Eigen::RowVector3d freeLengthDerivative() const { return Eigen::RowVector3d::UnitZ(); }
 
   void start(double length, const ForcesAtA& forces);
 

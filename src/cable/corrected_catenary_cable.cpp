@@ -46,6 +46,10 @@ EndPoint correctedCatenaryEnd(const CableProperties& cable, double h, double v, 
   return end;
 }
 
+Status checkFirstOrder(const CableProperties& cable, double length, const ForcesAtA& forces) {
+  return isFirstOrder(cable, length, forces) ? Status{Code::kConverged, ""} : noFirstOrder();
+}
+
 SolveOutcome CorrectedCatenaryCable::startUnder(double length, const ForcesAtA& forces, const SolveLimits& /*limits*/) {
   const Status refusal = catenaryRefusal(properties(), forces);
   if (!refusal.ok()) return {refusal};

@@ -8,6 +8,7 @@
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/report.h"
 #include "cdpr_kinetostatics/cable/solve_limits.h"
 
 namespace cdpr_kinetostatics {
@@ -15,6 +16,9 @@ namespace cdpr_kinetostatics {
 // Catenary plus first-order effect; the catenary itself if EI = 0. Needs what firstOrderBending needs.
 EndPoint correctedCatenaryEnd(const CableProperties& cable, double horizontal_force, double vertical_force_a,
                               double length);
+
+// Bending is so small that its first-order effect describes it; else the sentence. The cable begins at an eyelet.
+Status checkFirstOrder(const CableProperties& cable, double length, const ForcesAtA& forces);
 
 class CorrectedCatenaryCable : public ClosedFormCable {
  public:

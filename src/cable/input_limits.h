@@ -29,6 +29,12 @@ inline constexpr double kLargestBendingStiffness = 1e20;
 // Weight of a platform [N]: a grain of pollen weighs 1e-10. The largest is kLargestForce.
 inline constexpr double kLeastWeight = 1e-18;
 
+// Radius of a guide pulley [m], if there is one: that of a fibre's guide is 1e-5, the sheaves of an aerial tramway have
+// 5. Way from the drum to the pulley [m].
+inline constexpr double kLeastPulleyRadius = 1e-6;
+inline constexpr double kLargestPulleyRadius = 1e3;
+inline constexpr double kLargestDeadLength = 1e4;
+
 // Acceleration of gravity [m/s^2]: that of a neutron star is 1e12, of an asteroid of some metres 1e-7.
 inline constexpr double kLeastGravity = 1e-9;
 inline constexpr double kLargestGravity = 1e6;

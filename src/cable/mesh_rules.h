@@ -37,10 +37,11 @@ inline double layerRate(const ShotParameters& p, double t) { return std::sqrt(st
 
 // Layers at the end t before a mode that it raises moves the cable's far end by less than the error [rad] of
 // alpha times the cable's length, second-order effects of the mode included (slow_manifold.h has the first).
-// None where even the whole mode does not.
-inline double layersNeeded(const ShotParameters& p, double t, double span, double error) {
+// None where even the whole mode does not. `moment` is what the end is held by: the mode has to bring the cable to it.
+inline double layersNeeded(const ShotParameters& p, double t, double span, double error, double moment) {
   const double rate = layerRate(p, t);
-  const double bend = p.q * p.h / std::pow(rate, 5);  // layer thickness over radius of curvature
+  // Layer thickness over radius of curvature.
+  const double bend = p.q * p.h / std::pow(rate, 5) + std::abs(moment) / rate;
   const double effect = bend * bend / (rate * span * error);
   return std::clamp(effect > 0.0 ? kSpareLayers + std::log(effect) : 0.0, 0.0, kMostLayersAtEnd);
 }

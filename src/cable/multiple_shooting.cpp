@@ -1,5 +1,6 @@
 #include "cable/multiple_shooting.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -30,8 +31,14 @@ void MultipleShooting::begin(const CableProperties& cable, double length, const 
   shape_.cable.properties = cable;
   shape_.cable.length = length;
   shape_.cable.force = force;
+  length_ = length;
+  on_pulley_.release();
+  if (!beginsAtEyelet()) {
+    const ForcesAtA forces{force.x(), force.y()};
+    shape_.cable.length -= heldRope(cable, forces, tautDeparture(cable, forces)).length;
+  }
   shape_.cable.chooseUnits();
-  shape_.grid_length = length;
+  shape_.grid_length = shape_.cable.length;
   placeSegments(middle);
 }
 
@@ -120,10 +127,16 @@ bool MultipleShooting::tooManySegments() const { return segments() > kMaxSegment
 
 bool MultipleShooting::linearise(bool adapt, SolveLimits::Clock::time_point deadline) {
   if (adapt && !meshFits()) replaceMesh(Middle::kQuiet);
-  if (tooManySegments()) return false;
+  if (tooManySegments() || !(shape_.cable.length > 0.0)) return false;
   if (!integrate(adapt, deadline)) return false;
   if (adapt) shape_.grid_length = shape_.cable.length;
-  if (!chain_.eliminate(shape_.segments, shape_.last_node, EndMoments{})) return false;
+  const EndMoments moments{shape_.cable.momentAtA(), 0.0, hasPulley(properties())};
+  if (!chain_.eliminate(shape_.segments, shape_.last_node, moments)) return false;
+  if (!beginsAtEyelet()) {
+    const bool linked = on_pulley_.link(shape_, chain_, length_);
+    end_ = on_pulley_.end();
+    return linked;
+  }
   const ShootingChain::Affine& end = chain_.end();
   end_.position = shape_.cable.unit_length * end.col(0);
   end_.jacobian.leftCols<2>() = shape_.cable.unit_length / shape_.cable.unit_force * end.middleCols<2>(1);
@@ -158,55 +171,87 @@ bool MultipleShooting::integrate(bool adapt, SolveLimits::Clock::time_point dead
 
 bool MultipleShooting::stepsFit() { return step_error_ <= kLargestStepError && meshFits(); }
 
-Eigen::Vector4d MultipleShooting::factors(const Eigen::Vector3d& change) const {
+Eigen::Vector4d MultipleShooting::factors(const Eigen::Vector2d& forces, double free_length) const {
   const ShotCable& cable = shape_.cable;
-  return {1.0, change.x() / cable.unit_force, change.y() / cable.unit_force, change.z() / cable.unit_length};
+  return {1.0, forces.x() / cable.unit_force, forces.y() / cable.unit_force, free_length / cable.unit_length};
+}
+
+Eigen::Vector4d MultipleShooting::factors(const Eigen::Vector3d& change) const {
+  return factors(change.head<2>(), on_pulley_.newtonChange(change));
 }
 
 void MultipleShooting::step(const Eigen::Vector3d& change, double damping) {
-  move(damping * factors(change), damping * change);
+  move(damping * factors(change), damping * change.head<2>(), damping * on_pulley_.newtonChange(change));
+  length_ += damping * change.z();
 }
 
 // Nodes turn with the force along the chord, (H, V - q L/2), as a light cable does: its angle and its size are what
 // they follow, not its components, whose second order would stretch a stiff cable.
 void MultipleShooting::follow(const Eigen::Vector3d& change) {
   const double weight = shape_.cable.properties.weight;
+  const double free_length = on_pulley_.followedChange(change);
   const Eigen::Vector2d& force = shape_.cable.force;
-  const Eigen::Vector2d weight_change(0.0, 0.5 * weight * change.z());
+  const Eigen::Vector2d weight_change(0.0, 0.5 * weight * free_length);
   const Eigen::Vector2d old_force(force.x(), force.y() - 0.5 * weight * shape_.cable.length);
   const Eigen::Vector2d new_force = old_force + change.head<2>() - weight_change;
   const Eigen::Vector2d across(-old_force.y(), old_force.x());
   const double turn = std::atan2(across.dot(new_force), old_force.dot(new_force));
-  Eigen::Vector3d followed = change;
+  Eigen::Vector2d followed = change.head<2>();
   if (std::abs(turn) < kLargestTurn && old_force.norm() > 0.0) {
-    followed.head<2>() = weight_change + (new_force.norm() / old_force.norm() - 1.0) * old_force + turn * across;
+    followed = weight_change + (new_force.norm() / old_force.norm() - 1.0) * old_force + turn * across;
   }
   work_ = {};
-  Eigen::Vector4d by = factors(followed);
+  Eigen::Vector4d by = factors(followed, free_length);
   by[0] = 0.0;
-  move(by, change);
+  move(by, change.head<2>(), free_length);
+  length_ += change.z();
 }
 
-void MultipleShooting::move(const Eigen::Vector4d& factors, const Eigen::Vector3d& change) {
+void MultipleShooting::move(const Eigen::Vector4d& factors, const Eigen::Vector2d& forces, double free_length) {
   for (std::size_t k = 0; k < shape_.segments.size(); ++k) {
     shape_.segments[k].node += chain_.change(k) * factors;
   }
   shape_.last_node += chain_.change(shape_.segments.size()) * factors;
-  shape_.cable.force += change.head<2>();
-  shape_.cable.length += change.z();
+  shape_.cable.force += forces;
+  shape_.cable.length += free_length;
   // What is left of the end's modes in the middle is a small difference: both sides of it must have moved.
   shape_.evaluateAllQuietEnds();
 }
 
+// d(x, y)/d(H, V_B): V = V_B + q times the free length, which depends on the forces.
+Eigen::Matrix2d MultipleShooting::complianceAtB() const {
+  const double weight = shape_.cable.properties.weight;
+  const Eigen::RowVector2d free_length_by = freeLengthDerivative().head<2>();
+  Eigen::Matrix2d at_b_by_at_a;
+  at_b_by_at_a << 1.0, 0.0, -weight * free_length_by.x(), 1.0 - weight * free_length_by.y();
+  return end_.jacobian.leftCols<2>() * at_b_by_at_a.inverse();
+}
+
 bool MultipleShooting::stable() const {
+  const Eigen::Matrix2d compliance = beginsAtEyelet() ? Eigen::Matrix2d(end_.jacobian.leftCols<2>()) : complianceAtB();
   // Compliance of the end point against the force (H, q L - V) that acts on it.
-  const double xx = end_.jacobian(0, 0);
-  const double yy = -end_.jacobian(1, 1);
-  const double xy = 0.5 * (end_.jacobian(1, 0) - end_.jacobian(0, 1));
+  const double xx = compliance(0, 0);
+  const double yy = -compliance(1, 1);
+  const double xy = 0.5 * (compliance(1, 0) - compliance(0, 1));
   const double determinant = xx * yy - xy * xy;
   const bool opposite = determinant < -kRounding * (xx * xx + yy * yy);
   const int negative = opposite ? 1 : xx + yy < 0.0 ? 2 : 0;
   return chain_.negativeDirections() == negative;
+}
+
+Status MultipleShooting::contact() const {
+  const ForcesAtA forces{shape_.cable.force.x(), shape_.cable.force.y()};
+  return checkContact(properties(), forces, shape_.segments.front().node.x());
+}
+
+// The force at A runs past the point where the cable leaves the pulley at this distance, and as far the cable keeps
+// from the chord on the side of the pulley's axis; its layer keeps another such distance for its own thickness.
+double MultipleShooting::areaOfPulleyMoment() const {
+  if (!hasPulley(properties())) return 0.0;
+  const double tension = shape_.cable.force.norm();
+  const double distance = std::abs(momentAtDeparture(properties())) / tension;
+  const double thickness = std::sqrt(properties().bending_stiffness / tension);
+  return distance * (0.5 * end_.position.norm() + 2.0 * thickness);
 }
 
 double MultipleShooting::areaBelowChord() const { return cdpr_kinetostatics::areaBelowChord(shape_); }

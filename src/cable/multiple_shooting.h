@@ -3,8 +3,9 @@
 // A single shot over the whole cable amplifies errors by exp(kappa L). Here the cable is cut into segments
 // (shooting_mesh.h), and Newton's method joins them. Each pass evaluates every segment once and eliminates the nodes
 // (shooting_chain.h), which leaves, for the outer problem, the end point as an affine function of the changes of (H, V,
-// L). Whoever chooses those changes (one cable, a robot, an estimator) calls step() with them, and the nodes follow:
-// nodes, forces and pose converge together. What the cable then looks like, shape_measures.h says.
+// L). A guide pulley at A, and what stretches behind it, are part of that (chain_on_pulley.h). Whoever chooses those
+// changes (one cable, a robot, an estimator) calls step() with them, and the nodes follow: nodes, forces and pose
+// converge together. What the cable then looks like, shape_measures.h says.
 //
 // A workspace: keep one per cable and thread; after its first use it does not allocate for cables of the
 // same size.
@@ -13,12 +14,15 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "cable/chain_on_pulley.h"
 #include "cable/forces_at_a.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/segmented_cable.h"
 #include "cable/shooting_chain.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/report.h"
 #include "cdpr_kinetostatics/cable/solve_limits.h"
 
 namespace cdpr_kinetostatics {
@@ -81,8 +85,13 @@ class MultipleShooting {
   // (22).
   bool stableWithFreeEnd() const { return chain_.negativeDirections() == 0; }
 
+  // Whether the pulley, if there is one, holds the cable (rope_on_pulley.h).
+  Status contact() const;
+
   // Signed area between chord and cable [m^2], positive where the cable lies below its chord.
   double areaBelowChord() const;
+  // By how much this may be negative, or larger, because the moment at a pulley bends the cable [m^2].
+  double areaOfPulleyMoment() const;
 
   // alpha(L) - alpha(0) [rad].
   double turning() const { return shape_.last_node.x() - shape_.segments.front().node.x(); }
@@ -94,7 +103,12 @@ class MultipleShooting {
   // at least two profile points, the profile. The nodes must have converged.
   void measure(int profile_points, CableSolution* solution) const;
 
-  double length() const { return shape_.cable.length; }
+  // L, and the part of it that hangs freely with its derivative by (H, V, L).
+  double length() const { return length_; }
+  double freeLength() const { return shape_.cable.length; }
+  Eigen::RowVector3d freeLengthDerivative() const { return on_pulley_.freeLengthDerivative(); }
+  const CableProperties& properties() const { return shape_.cable.properties; }
+  ForcesAtA forces() const { return {horizontalForce(), verticalForceA()}; }
   double horizontalForce() const { return shape_.cable.force.x(); }
   double verticalForceA() const { return shape_.cable.force.y(); }
   // pi^2 EI/L^2 [N].
@@ -116,14 +130,20 @@ class MultipleShooting {
   bool meshFits() { return shape_.mesh.fits(shape_.cable, accuracy_); }
   void placeSegments(Middle middle);
   void replaceMesh(Middle middle);
+  Eigen::Matrix2d complianceAtB() const;
   bool integrate(bool adapt, SolveLimits::Clock::time_point deadline);
-  // What the chain's columns are multiplied by for change = (dH, dV, dL): (1, dh, dv, dl).
+  // What the chain's columns are multiplied by for change = (dH, dV, dL): (1, dh, dv, dl). dl is that of the free part.
   Eigen::Vector4d factors(const Eigen::Vector3d& change) const;
-  void move(const Eigen::Vector4d& factors, const Eigen::Vector3d& change);
+  // The same, (dH, dV) and the free length's own change apart.
+  Eigen::Vector4d factors(const Eigen::Vector2d& forces, double free_length) const;
+  void move(const Eigen::Vector4d& factors, const Eigen::Vector2d& forces, double free_length);
+  bool beginsAtEyelet() const { return cdpr_kinetostatics::beginsAtEyelet(shape_.cable.properties); }
 
   ShootingAccuracy accuracy_;
   SegmentedCable shape_;
   ShootingChain chain_;
+  ChainOnPulley on_pulley_;
+  double length_ = 0.0;  // L [m]
   EndPoint end_;
   double step_error_ = 0.0;  // largest of a step in the last pass, in shares of what it should be
   IntegrationWork work_;

@@ -6,7 +6,10 @@
 #include <limits>
 
 #include "cable/bending_expansion.h"
-#include "cable/catenary.h"
+#include "cable/pulley_cable.h"
+#include "cable/pulley_end.h"
+#include "cable/pulley_expansion.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/sagging_cable.h"
 #include "cable/straight_cable.h"
 #include "cable/tautness.h"
@@ -37,15 +40,35 @@ RungError errorOf(const Eigen::Vector2d& end, const Eigen::Matrix2d& stiffness, 
   return error;
 }
 
+// The end of the cable without bending stiffness, as a line or a catenary, under the given forces at A.
+EndPoint endWithoutBending(const CableProperties& cable, FreeShape shape, double h, double v, double length) {
+  if (beginsAtEyelet(cable)) return freeEnd(cable, shape, {h, v}, length);
+  return pulleyEnd(cable, shape, {h, v}, length).end;
+}
+
+// What bending does to the catenary, where it leaves a pulley as well.
+BendingExpansion bendingFrom(const CableProperties& cable, double h, double v, double length) {
+  return beginsAtEyelet(cable) ? bendingExpansion(cable, h, v, length) : pulleyExpansion(cable, {h, v}, length);
+}
+
+// Problem 2 of the line that stretches.
+ForcesAtA lineForces(const CableProperties& cable, double length, const Eigen::Vector2d& end) {
+  if (beginsAtEyelet(cable)) return straightForces(cable, length, end.x(), end.y());
+  PulleyCable line(cable, FreeShape::kStraight);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return line.startBetween(length, end.x(), end.y(), {}).ok() ? line.forces() : ForcesAtA{none, none};
+}
+
 // How far the end of the cable under the line's own forces lies from the line's; a slack line's hang both ends of the
 // cable side by side.
 double displacementOfLine(const CableProperties& cable, const CableSolution& line) {
   const double h = line.horizontal_force;
   const double v = line.vertical_force_a;
-  Eigen::Vector2d moved = catenaryEnd(cable, h, v, line.length).position - Eigen::Vector2d(line.x, line.y);
+  const Eigen::Vector2d moved =
+      endWithoutBending(cable, FreeShape::kCatenary, h, v, line.length).position - Eigen::Vector2d(line.x, line.y);
   if (!moved.allFinite()) return line.length;
   // A sharp bend at the bottom of a slack cable is none for the expansion, and moves the end by less than its length.
-  const BendingExpansion bending = bendingExpansion(cable, h, v, line.length);
+  const BendingExpansion bending = bendingFrom(cable, h, v, line.length);
   return bending.trusted ? (moved + bending.end).norm() : moved.norm();
 }
 
@@ -55,11 +78,13 @@ RungError lineBetweenEnds(const CableProperties& cable, const CableSolution& lin
   if (formless && std::hypot(line.x, line.y) <= line.length) {
     return errorOf(Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), true, 0.0, line.length);
   }
-  const std::optional<ForcesAtA> catenary = catenaryForces(cable, line.length, line.x, line.y);
+  const std::optional<ForcesAtA> catenary =
+      hangingForces(asSeenBy(Model::kCatenary, cable), line.length, line.x, line.y);
   if (!catenary) return {{line.length, 0.0}, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(), line.length, false};
-  const EndPoint end = catenaryEnd(cable, catenary->horizontal, catenary->vertical, line.length);
+  const EndPoint end =
+      endWithoutBending(cable, FreeShape::kCatenary, catenary->horizontal, catenary->vertical, line.length);
   const Eigen::Matrix2d compliance = end.jacobian.leftCols<2>();
-  const BendingExpansion bending = bendingExpansion(cable, catenary->horizontal, catenary->vertical, line.length);
+  const BendingExpansion bending = bendingFrom(cable, catenary->horizontal, catenary->vertical, line.length);
   const Eigen::Vector2d force(catenary->horizontal - line.horizontal_force, catenary->vertical - line.vertical_force_a);
   RungError error = errorOf(bending.end - compliance * force, inverseOrZero(compliance), bending.trusted,
                             std::hypot(catenary->horizontal, catenary->vertical), line.length);
@@ -84,17 +109,17 @@ RungError rungError(const CableProperties& cable, const CableSolution& solution)
     return errorOf(strain * Eigen::Vector2d(solution.x, solution.y), solution.force_jacobian.leftCols<2>(),
                    isBending(model), solution.tension_a, length);
   }
-  const EndPoint catenary = catenaryEnd(stretching, h, v, length);
+  const EndPoint catenary = endWithoutBending(stretching, FreeShape::kCatenary, h, v, length);
   const CableProperties seen = asSeenBy(model, stretching);
   Eigen::Vector2d end = Eigen::Vector2d::Zero();
   if (isStraight(model)) {
-    end = catenary.position - straightEnd(seen, h, v, length).position;
+    end = catenary.position - endWithoutBending(seen, FreeShape::kStraight, h, v, length).position;
   } else if (isInextensible(model)) {
-    end = catenary.position - catenaryEnd(seen, h, v, length).position;
+    end = catenary.position - endWithoutBending(seen, FreeShape::kCatenary, h, v, length).position;
   }
   bool known = true;
   if (!isBending(model)) {
-    const BendingExpansion bending = bendingExpansion(stretching, h, v, length);
+    const BendingExpansion bending = bendingFrom(stretching, h, v, length);
     end += model == Model::kCatenaryCorrected ? bending.beyond_first : bending.end;
     known = bending.trusted;
   }
@@ -109,11 +134,11 @@ RungErrors rungErrors(const CableProperties& cable, double length, double horizo
     errors.back().known = true;
     return errors;
   }
-  const EndPoint catenary = catenaryEnd(cable, h, v, length);
+  const EndPoint catenary = endWithoutBending(cable, FreeShape::kCatenary, h, v, length);
   const Eigen::Matrix2d compliance = catenary.jacobian.leftCols<2>();
   const Eigen::Matrix2d stiffness = inverseOrZero(compliance);
-  const BendingExpansion bending = bendingExpansion(cable, h, v, length);
-  const ForcesAtA line = straightForces(cable, length, catenary.position.x(), catenary.position.y());
+  const BendingExpansion bending = bendingFrom(cable, h, v, length);
+  const ForcesAtA line = lineForces(cable, length, catenary.position);
   const Eigen::Vector2d off_line = compliance * Eigen::Vector2d(line.horizontal - h, line.vertical - v);
   const std::array<Eigen::Vector2d, kAutoRungCount> ends = {bending.end + off_line, bending.end, bending.beyond_first,
                                                             Eigen::Vector2d::Zero()};

@@ -7,6 +7,8 @@
 #include "cable/cable_checks.h"
 #include "cable/cable_description.h"
 #include "cable/length_search.h"
+#include "cable/pulley_cable.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/rung_problems.h"
 #include "cable/sagging_cable.h"
 #include "cable/straight_cable.h"
@@ -79,7 +81,7 @@ class LengthProblem {
       : properties_(properties),
         x_(x),
         y_(y),
-        chord_(std::hypot(x, y)),
+        chord_(straightWay(properties, x, y)),
         tension_(tension_a),
         hint_(length_hint),
         options_(options),
@@ -111,7 +113,13 @@ class LengthProblem {
 
  private:
   CableSolution stretchedLine() const {
-    StraightCable line(along_.cable().properties());
+    const CableProperties& cable = along_.cable().properties();
+    return beginsAtEyelet(cable) ? stretched(StraightCable(cable))
+                                 : stretched(PulleyCable(cable, FreeShape::kStraight));
+  }
+
+  template <typename Line>
+  CableSolution stretched(Line line) const {
     double least_tension = 0.0;
     const SolveOutcome outcome = line.startWithTension(x_, y_, tension_, &least_tension);
     if (!outcome.ok()) return tooLittleTension(least_tension);
@@ -150,7 +158,10 @@ class LengthProblem {
   // A line that stretches, or one with a parabola's sag.
   double lineLength(double tension) const {
     const CableProperties& cable = along_.cable().properties();
-    if (std::isfinite(cable.axial_stiffness)) return chord_ / (1.0 + tension / cable.axial_stiffness);
+    if (std::isfinite(cable.axial_stiffness)) {
+      const double strain = tension / cable.axial_stiffness;
+      return (chord_ - cable.dead_length * strain) / (1.0 + strain);
+    }
     return chord_ * (1.0 + 0.5 * std::pow(cable.weight * x_ / tension, 2) / 24.0);
   }
 
@@ -201,7 +212,7 @@ CableSolution lengthOnRung(const CableProperties& cable, double x, double y, dou
                            const RungOptions& options) {
   const Status check =
       firstRefusal(checkCable(cable, options.model), checkEnd(x, y), checkEndsApart(x, y),
-                   checkPositive("tension_a", tension_a, kLargestForce, "N"),
+                   checkReach(cable.pulley, x, y), checkPositive("tension_a", tension_a, kLargestForce, "N"),
                    length_hint <= 0.0 ? Status{Code::kConverged, ""} : checkLength("length_hint", length_hint));
   if (!check.ok()) return refusedCable(options.model, {check});
   return LengthProblem(cable, x, y, tension_a, length_hint, options).solve();

@@ -1,8 +1,11 @@
 #include "cable/sagging_cable.h"
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
+
+#include "cable/rope_on_pulley.h"
 
 namespace cdpr_kinetostatics {
 
@@ -10,13 +13,22 @@ CableProperties asSeenBy(Model model, const CableProperties& cable) {
   CableProperties seen = cable;
   if (isInextensible(model)) seen.axial_stiffness = std::numeric_limits<double>::infinity();
   if (!isBending(model) && model != Model::kCatenaryCorrected) seen.bending_stiffness = 0.0;
+  if (std::isinf(seen.axial_stiffness)) seen.dead_length = 0.0;  // it gives nothing
   return seen;
 }
 
 SaggingCable::Kind SaggingCable::kindOf(const CableProperties& seen, Model model, double tolerance) {
-  if (isStraight(model)) return StraightCable(seen);
-  if (seen.bending_stiffness == 0.0) return CatenaryCable(seen);
+  const bool eyelet = beginsAtEyelet(seen);
+  if (isStraight(model)) {
+    if (!eyelet) return PulleyCable(seen, FreeShape::kStraight);
+    return StraightCable(seen);
+  }
+  if (seen.bending_stiffness == 0.0) {
+    if (!eyelet) return PulleyCable(seen, FreeShape::kCatenary);
+    return CatenaryCable(seen);
+  }
   if (isBending(model)) return BendingCable(seen, tolerance);
+  if (!eyelet) return PulleyCable(seen, FreeShape::kCorrected);
   return CorrectedCatenaryCable(seen);
 }
 
@@ -95,9 +107,19 @@ double SaggingCable::length() const {
   return std::visit([&](const auto& kind) { return kind.length(); }, kind_);
 }
 
-double SaggingCable::verticalForceB() const { return verticalForceA() - properties().weight * length(); }
+double SaggingCable::freeLength() const {
+  return std::visit([](const auto& kind) { return kind.freeLength(); }, kind_);
+}
 
-Eigen::RowVector3d SaggingCable::verticalForceBDerivative() const { return {0.0, 1.0, -properties().weight}; }
+double SaggingCable::verticalForceB() const { return verticalForceA() - properties().weight * freeLength(); }
+
+Eigen::RowVector3d SaggingCable::verticalForceBDerivative() const {
+  return std::visit(
+      [&](const auto& kind) -> Eigen::RowVector3d {
+        return Eigen::RowVector3d::UnitY() - properties().weight * kind.freeLengthDerivative();
+      },
+      kind_);
+}
 
 const CableProperties& SaggingCable::properties() const {
   return std::visit([&](const auto& kind) -> const CableProperties& { return kind.properties(); }, kind_);

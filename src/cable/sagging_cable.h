@@ -15,6 +15,7 @@
 #include "cable/catenary_cable.h"
 #include "cable/corrected_catenary_cable.h"
 #include "cable/forces_at_a.h"
+#include "cable/pulley_cable.h"
 #include "cable/solve_outcome.h"
 #include "cable/straight_cable.h"
 #include "cable/tautness.h"
@@ -83,6 +84,8 @@ class SaggingCable {
   double verticalForceB() const;
   Eigen::RowVector3d verticalForceBDerivative() const;
   double length() const;
+  // Unstrained length of the part that hangs freely, and has weight.
+  double freeLength() const;
   const CableProperties& properties() const;
   Model model() const { return model_; }
   // All integration so far.
@@ -94,7 +97,7 @@ class SaggingCable {
   CableSolution describe(double x, double y, int profile_points) const;
 
  private:
-  using Kind = std::variant<StraightCable, CatenaryCable, CorrectedCatenaryCable, BendingCable>;
+  using Kind = std::variant<StraightCable, CatenaryCable, CorrectedCatenaryCable, BendingCable, PulleyCable>;
 
   static Kind kindOf(const CableProperties& seen, Model model, double tolerance);
 

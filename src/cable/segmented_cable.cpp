@@ -1,5 +1,6 @@
 #include "cable/segmented_cable.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cable/catenary.h"
@@ -7,9 +8,24 @@
 namespace cdpr_kinetostatics {
 namespace {
 
+// Of half the angle by which the layer at a pulley turns: at sqrt(1/2) the rope lifts off, and 1 is the elastica's own.
+constexpr double kLargestSine = 0.75;
+
 // cosh(a)/sinh(b) and sinh(a)/sinh(b) for 0 <= a <= b, without overflow.
 double coshOverSinh(double a, double b) { return (std::exp(a - b) + std::exp(-a - b)) / -std::expm1(-2.0 * b); }
 double sinhOverSinh(double a, double b) { return (std::exp(a - b) - std::exp(-a - b)) / -std::expm1(-2.0 * b); }
+
+// By how much a bending layer turns the cable from its catenary, and takes from its curvature.
+struct EndLayer {
+  double angle, turn;
+};
+
+// The layer that takes so much from the curvature where it begins, s before here; not linearised, (45).
+EndLayer pulleyLayer(double turn, double kappa, double s) {
+  const double half = std::asin(std::clamp(0.5 * turn / kappa, -kLargestSine, kLargestSine));
+  const double angle = 4.0 * std::atan(std::tan(0.5 * half) * std::exp(-kappa * s));
+  return {angle, 2.0 * kappa * std::sin(0.5 * angle)};
+}
 
 }  // namespace
 
@@ -36,18 +52,21 @@ void SegmentedCable::startOnCatenary() {
   const double kappa_b = layers(length);
   const double turn_a = turning(0.0);
   const double turn_b = turning(length);
+  const bool pulley = hasPulley(properties);
+  const double turn_on_pulley = momentAtDeparture(properties) / properties.bending_stiffness;
   const auto nodeAt = [&](double s) {
     const double to_b = length - s;
-    const double angle = catenaryAngle(properties, h, v, s) +
-                         turn_a / kappa_a * coshOverSinh(kappa_a * to_b, kappa_a * length) -
+    const EndLayer layer = pulley ? pulleyLayer(turn_a - turn_on_pulley, kappa_a, s)
+                                  : EndLayer{turn_a / kappa_a * coshOverSinh(kappa_a * to_b, kappa_a * length),
+                                             turn_a * sinhOverSinh(kappa_a * to_b, kappa_a * length)};
+    const double angle = catenaryAngle(properties, h, v, s) + layer.angle -
                          turn_b / kappa_b * coshOverSinh(kappa_b * s, kappa_b * length);
-    const double turn = turning(s) - turn_a * sinhOverSinh(kappa_a * to_b, kappa_a * length) -
-                        turn_b * sinhOverSinh(kappa_b * s, kappa_b * length);
+    const double turn = turning(s) - layer.turn - turn_b * sinhOverSinh(kappa_b * s, kappa_b * length);
     return Eigen::Vector2d(angle, turn * cable.unit_length);
   };
   for (ShootingSegment& segment : segments) segment.node = nodeAt(segment.begin * length);
   last_node = nodeAt(length);
-  segments.front().node.y() = 0.0;
+  segments.front().node.y() = cable.momentAtA();
   last_node.y() = 0.0;
 }
 

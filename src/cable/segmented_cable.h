@@ -31,7 +31,8 @@ struct SegmentedCable {
 
   // Makes one segment for each interval of the mesh, without nodes or steps yet.
   void layOutSegments();
-  // Nodes on the catenary under the cable's forces with the bending layers of its two ends, (18). Needs T > 0.
+  // Nodes on the catenary under the cable's forces with the bending layers of its two ends, (18), or (45) at a pulley.
+  // Needs T > 0.
   void startOnCatenary();
   // The solution without layers at the ends of quiet segment k, and the node behind it: due after nodes or forces
   // moved.

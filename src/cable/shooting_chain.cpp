@@ -66,7 +66,11 @@ bool ShootingChain::eliminate(const SegmentList& segments, const Eigen::Vector2d
   condition.row << 0.0, 1.0;
   condition.right << missing_at_a, 0.0, 0.0, 0.0;
   moment_defect_ = std::max(std::abs(missing_at_a), std::abs(missing_at_b));
-  variation_ << 1.0, 0.0;
+  if (moments.slides_at_a) {
+    variation_ << 0.0, 1.0;
+  } else {
+    variation_ << 1.0, 0.0;
+  }
   focal_points_ = 0;
   links_.resize(segments.size());
   for (std::size_t k = 0; k < segments.size(); ++k) {

@@ -12,10 +12,12 @@
 
 namespace cdpr_kinetostatics {
 
-// The moments that the cable's ends are held by, in the unit of shot.h: none at ends that turn freely, (8).
+// What holds the cable's ends, in the unit of shot.h: no moment where they turn freely, (8). Where the cable leaves a
+// pulley it has the pulley's curvature, and slides along it when it moves.
 struct EndMoments {
   double a = 0.0;
   double b = 0.0;
+  bool slides_at_a = false;
 };
 
 class ShootingChain {
@@ -38,7 +40,8 @@ class ShootingChain {
   // Largest defect of the moment between segments and at the ends at the last elimination.
   double momentDefect() const { return moment_defect_; }
 
-  // n(A) of (22): negative directions of the second variation (21) under dead forces at B, both ends free to turn.
+  // n(A) of (22): negative directions of the second variation (21) under dead forces at B, both ends free to turn, or A
+  // free to slide along its pulley.
   int negativeDirections() const { return focal_points_; }
 
  private:
@@ -67,7 +70,8 @@ class ShootingChain {
   Affine last_change_ = Affine::Zero();  // of the node at B
   Affine end_ = Affine::Zero();
   double moment_defect_ = 0.0;
-  // The change of (alpha, moment) that follows from a turn of the end A, up to a positive factor, and its zeros so far.
+  // The change of (alpha, moment) that follows from a turn of the end A, or from a change of its moment where a pulley
+  // does not let it turn, up to a positive factor, and its zeros so far.
   Eigen::Vector2d variation_ = Eigen::Vector2d::Zero();
   int focal_points_ = 0;
 };

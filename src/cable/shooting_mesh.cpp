@@ -27,9 +27,9 @@ struct EndShots {
 };
 
 // inwards: the direction of t into the cable, 1 at A and -1 at B.
-EndShots shotsAtEnd(const ShotParameters& p, double end, double inwards, double span, double error) {
+EndShots shotsAtEnd(const ShotParameters& p, double end, double inwards, double span, double error, double moment) {
   EndShots shots;
-  const double layers = layersNeeded(p, end, span, error);
+  const double layers = layersNeeded(p, end, span, error, moment);
   shots.count = boundedCount(layers / kLayersPerSegment, 0, EndShots::kMost);
   const double share = inwards * layers / shots.count;
   shots.t[0] = end;
@@ -41,17 +41,19 @@ EndShots shotsAtEnd(const ShotParameters& p, double end, double inwards, double 
 }
 
 // Terms of the series in the one quiet middle of this mesh; 0 if the mesh no longer fits.
-int middleOrder(const std::vector<MeshInterval>& intervals, const ShotParameters& p, double span, double error) {
+int middleOrder(const std::vector<MeshInterval>& intervals, const ShotCable& cable, double error) {
+  const ShotParameters p = cable.parameters();
+  const double span = cable.span();
   std::size_t middle = 0;
   while (!intervals[middle].quiet) ++middle;
   const double begin = intervals[middle].begin * span;
   const double end = intervals[middle].end * span;
-  const auto fits = [&](double at_end, double layer, std::size_t count) {
+  const auto fits = [&](double at_end, double layer, std::size_t count, double moment) {
     const double layers = layer * layerRate(p, std::abs(at_end - 0.5 * layer));
-    return layers >= kShortLayer * layersNeeded(p, at_end, span, error) &&
+    return layers >= kShortLayer * layersNeeded(p, at_end, span, error, moment) &&
            layers <= kMostLayersPerSegment * static_cast<double>(count);
   };
-  return fits(0.0, begin, middle) && fits(span, span - end, intervals.size() - 1 - middle)
+  return fits(0.0, begin, middle, cable.momentAtA()) && fits(span, span - end, intervals.size() - 1 - middle, 0.0)
              ? slowOrder(p, begin, end, error)
              : 0;
 }
@@ -75,8 +77,8 @@ bool ShootingMesh::placeAroundMiddle(const ShotCable& cable, double error) {
   const ShotParameters p = cable.parameters();
   const double span = cable.span();
   if (!hasQuietForce(p, 0.0, span)) return false;
-  const EndShots a = shotsAtEnd(p, 0.0, 1.0, span, error);
-  const EndShots b = shotsAtEnd(p, span, -1.0, span, error);
+  const EndShots a = shotsAtEnd(p, 0.0, 1.0, span, error, cable.momentAtA());
+  const EndShots b = shotsAtEnd(p, span, -1.0, span, error, 0.0);
   const double begin = a.inner();
   const double end = b.inner();
   if (!((end - begin) * layerRate(p, 0.5 * (begin + end)) > kShortestMiddle)) return false;
@@ -119,9 +121,7 @@ bool ShootingMesh::fits(const ShotCable& cable, const ShootingAccuracy& accuracy
 }
 
 int ShootingMesh::orderThatFits(const ShotCable& cable, double error) const {
-  const ShotParameters p = cable.parameters();
-  return hasShotBend() ? bendOrder(intervals_, p, cable.span(), error)
-                       : middleOrder(intervals_, p, cable.span(), error);
+  return hasShotBend() ? bendOrder(intervals_, cable, error) : middleOrder(intervals_, cable, error);
 }
 
 }  // namespace cdpr_kinetostatics

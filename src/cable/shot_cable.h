@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cable/rope_on_pulley.h"
 #include "cable/shot.h"
 #include "cable/tautness.h"
 #include "cdpr_kinetostatics/cable/cable_properties.h"
@@ -14,7 +15,7 @@ namespace cdpr_kinetostatics {
 
 struct ShotCable {
   CableProperties properties;                       // EI > 0; an infinite EA is the inextensible cable
-  double length = 0.0;                              // unstrained [m]
+  double length = 0.0;                              // unstrained, of the free part [m]
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  // (H, V) at A [N]
   double unit_force = 1.0;                          // F0 [N]
   double unit_length = 1.0;                         // l0 [m], the bending layer's thickness under F0
@@ -35,6 +36,9 @@ struct ShotCable {
 
   // The length in units of l0: t runs from 0 to span.
   double span() const { return length / unit_length; }
+
+  // The moment at A, where the cable leaves a pulley, in its unit; none at an eyelet.
+  double momentAtA() const { return momentAtDeparture(properties) / unit_moment; }
 
   // The constants of (16).
   ShotParameters parameters() const {

@@ -13,6 +13,8 @@ namespace {
 // The longest line that the search for its length looks at is shorter than its chord by this share, a few roundings.
 constexpr double kBarelyStretched = 1e-15;
 
+}  // namespace
+
 Status inextensibleRefusal(double length, double chord, double tolerance) {
   if (std::abs(length - chord) > tolerance * chord) {
     return {Code::kInfeasible, named("an inextensible straight cable of length", length, "m") + " cannot span " +
@@ -22,8 +24,6 @@ Status inextensibleRefusal(double length, double chord, double tolerance) {
           "the tension of an inextensible straight cable does not follow from its geometry: give the tension "
           "(FIND_LENGTH) or use straight_elastic"};
 }
-
-}  // namespace
 
 EndPoint straightEnd(const CableProperties& cable, double h, double v_a, double length) {
   CableProperties weightless = cable;

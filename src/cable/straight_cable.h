@@ -10,6 +10,7 @@
 #include "cdpr_kinetostatics/cable/cable_properties.h"
 #include "cdpr_kinetostatics/cable/cable_solution.h"
 #include "cdpr_kinetostatics/cable/end_point.h"
+#include "cdpr_kinetostatics/cable/report.h"
 #include "cdpr_kinetostatics/cable/solve_limits.h"
 
 namespace cdpr_kinetostatics {
@@ -19,6 +20,9 @@ EndPoint straightEnd(const CableProperties& cable, double horizontal_force, doub
 
 // Problem 2 with tension EA (chord/L - 1), none when the chord is shorter than L. EA must be finite.
 ForcesAtA straightForces(const CableProperties& cable, double length, double x, double y);
+
+// What problem 2 says of an inextensible line.
+Status inextensibleRefusal(double length, double chord, double tolerance);
 
 class StraightCable : public ClosedFormCable {
  public:

@@ -29,6 +29,7 @@ const MovingCable kCables[] = {
     {"slackSteelRope", steelRope(), 11.0, 7.0, -4.0},
     {"musicWire", {3.53e5, 0.0497, 0.136}, 0.66, 0.5, -0.4},
     {"paperBar", paperBar(), 5.65, 5.0, -2.5},
+    {"ropeOnPulley", {2.87e5, 0.01, 0.628, {0.1, RopeFrom::kBelow}, 5.0}, 8.6, 7.0, -4.0},
 };
 
 constexpr int kEnds = 24;

@@ -54,10 +54,10 @@ TEST(BendMesh, FitsTheForcesThatItWasMadeForAndNotOthers) {
   std::vector<MeshInterval> intervals;
   const int order = placeAroundBend(cable, kError, &intervals);
   ASSERT_GE(order, 1);
-  EXPECT_GE(bendOrder(intervals, cable.parameters(), cable.span(), kError), 1);
+  EXPECT_GE(bendOrder(intervals, cable, kError), 1);
   // The lowest point moves into a quiet leg.
   cable.force.y() *= 0.5;
-  EXPECT_EQ(bendOrder(intervals, cable.parameters(), cable.span(), kError), 0);
+  EXPECT_EQ(bendOrder(intervals, cable, kError), 0);
 }
 
 TEST(BendMesh, CablesWithoutABendOrWithoutWeightHaveNoSuchMesh) {

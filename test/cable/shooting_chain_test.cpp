@@ -134,5 +134,18 @@ TEST(ShootingChain, NegativeDirectionsAreThoseOfEulersColumn) {
   }
 }
 
+// The same where the column slides along a pulley at A: it cannot turn there, as a beam that is clamped cannot. Then
+// the eigenfunctions are sin((n + 1/2) pi s/L).
+TEST(ShootingChain, NegativeDirectionsOnAPulleyAreThoseOfAClampedColumn) {
+  for (const double push : {-1.0, 0.3, 0.7, 1.3, 1.7, 3.6}) {
+    Chain chain;
+    chain.parameters = {push < 0.0 ? 1.0 : -std::pow(push * M_PI / kLength, 2), 0.0, 0.0, 0.0};
+    for (Eigen::Vector2d& node : chain.nodes) node.setZero();
+    ShootingChain elimination;
+    ASSERT_TRUE(elimination.eliminate(shotSegments(chain), chain.nodes.back(), {0.0, 0.0, true}));
+    EXPECT_EQ(elimination.negativeDirections(), push < 0.0 ? 0 : static_cast<int>(push + 0.5)) << push;
+  }
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -52,20 +52,20 @@ bool ClosedCable::close(const Pose& pose, double density) {
 
 Eigen::Vector3d ClosedCable::force() const {
   return forceOnPlatform(plane_, cable_.horizontalForce(), cable_.verticalForceA(),
-                         cable_.properties().weight * cable_.length());
+                         cable_.properties().weight * cable_.freeLength());
 }
 
-// Horizontally (33), vertically V - q L.
+// Horizontally (33), vertically V less the weight of the free part.
 Eigen::Matrix<double, 3, 6> ClosedCable::forceByPose() const {
   Eigen::Matrix<double, 3, 6> by_pose =
       Eigen::Vector3d(-density_, -density_, 0.0).asDiagonal() * motionOfPoint(plane_.arm);
-  by_pose.row(2) = Eigen::RowVector3d(0.0, 1.0, -cable_.properties().weight) * by_pose_;
+  by_pose.row(2) = cable_.verticalForceBDerivative() * by_pose_;
   return by_pose;
 }
 
 Eigen::Vector3d ClosedCable::forceByDensity() const {
-  const Eigen::Vector3d vertical(0.0, 1.0, -cable_.properties().weight);
-  return -plane_.x * plane_.direction + vertical.dot(by_density_) * Eigen::Vector3d::UnitZ();
+  const double vertical = cable_.verticalForceBDerivative().dot(by_density_);
+  return -plane_.x * plane_.direction + vertical * Eigen::Vector3d::UnitZ();
 }
 
 }  // namespace cdpr_kinetostatics

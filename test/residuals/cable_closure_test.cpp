@@ -78,15 +78,16 @@ TEST_P(EverySaggingModel, ResidualIsThatOfTheHeader) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cables, EverySaggingModel,
-                         testing::Combine(testing::Values(Model::kCatenaryInextensible, Model::kCatenary,
-                                                          Model::kCatenaryCorrected, Model::kBendingInextensible,
-                                                          Model::kBending),
-                                          testing::Values(ClosureKind{"taut", -1e-3, 1e-3, 0.95, -1.0, false},
-                                                          ClosureKind{"slack", 0.01, 0.3, 0.7, -1.0, false})),
-                         [](const testing::TestParamInfo<std::tuple<Model, ClosureKind>>& each) {
-                           return std::string(modelName(std::get<0>(each.param))) + "_" + std::get<1>(each.param).name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Cables, EverySaggingModel,
+    testing::Combine(testing::Values(Model::kCatenaryInextensible, Model::kCatenary, Model::kCatenaryCorrected,
+                                     Model::kBendingInextensible, Model::kBending),
+                     testing::Values(ClosureKind{"taut", -1e-3, 1e-3, 0.95, -1.0, false},
+                                     ClosureKind{"pulley", -2e-3, 1e-3, 0.8, -1.0, false, 0.3, 4.0},
+                                     ClosureKind{"slack", 0.01, 0.3, 0.7, -1.0, false})),
+    [](const testing::TestParamInfo<std::tuple<Model, ClosureKind>>& each) {
+      return std::string(modelName(std::get<0>(each.param))) + "_" + std::get<1>(each.param).name;
+    });
 
 }  // namespace
 }  // namespace cdpr_kinetostatics

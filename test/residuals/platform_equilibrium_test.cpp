@@ -5,6 +5,9 @@
 #include <ceres/dynamic_autodiff_cost_function.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "cable/rope_on_pulley.h"
 #include "robot_audit.h"
 #include "robot_cases.h"
 #include "robot_residuals.h"
@@ -98,6 +101,37 @@ TEST_P(PlatformEquilibriumBlock, ValueAndJacobianAreTheAutomaticOnes) {
     EXPECT_LT((own.residuals - automatic.residuals).norm(), 1e-13 * (1.0 + own.residuals.norm()));
     for (std::size_t k = 0; k < s.parameters.size(); ++k) {
       EXPECT_LT(largestDifference(own.jacobians[k], automatic.jacobians[k], 1.0 / kForceScale), 1e-13)
+          << "state " << i << ", block " << k;
+    }
+  }
+}
+
+// With guide pulleys and dead parts the weight that pulls is that of the free parts.
+TEST_P(PlatformEquilibriumBlock, OnPulleysTheFreePartsWeigh) {
+  for (int i = 0; i < kStates; ++i) {
+    State s = next();
+    std::vector<PlatformEquilibrium::Cable> bare = s.twin.cables;
+    Eigen::Vector3d missing = Eigen::Vector3d::Zero();
+    const std::size_t count = s.twin.cables.size();
+    const Eigen::Vector3d position(s.parameters[0]);
+    const Eigen::Quaterniond attitude(Eigen::Vector4d(s.parameters[1]));
+    for (std::size_t k = 0; k < count; ++k) {
+      PlatformEquilibrium::Cable& cable = s.twin.cables[k];
+      cable.properties = {1e4, 0.0, cable.weight, {0.1, k % 2 == 0 ? RopeFrom::kBelow : RopeFrom::kAbove}, 2.0};
+      s.parameters[2 + k] = Eigen::Vector2d(10.0 + std::abs(s.parameters[2 + k].x()), s.parameters[2 + k].y());
+      const Eigen::Vector3d to_b = position + attitude * cable.attachment - cable.anchor;
+      const ForcesAtA forces{s.parameters[2 + k].x() * to_b.head<2>().norm(), s.parameters[2 + k].y()};
+      const double slope = std::atan2(-forces.vertical, forces.horizontal);
+      missing.z() += cable.weight * heldRope(cable.properties, forces, slope).length;
+    }
+    const PlatformEquilibrium block(s.twin.platform, s.twin.cables, rowWeights());
+    const Evaluation own = evaluate(block, s.parameters);
+    const Evaluation without = evaluate(PlatformEquilibrium(s.twin.platform, bare, rowWeights()), s.parameters);
+    ASSERT_TRUE(own.valid && without.valid);
+    EXPECT_LT(((own.residuals - without.residuals).head<3>() - missing / kForceScale).norm(), 1e-12);
+    const CheckedJacobians checked = checkedJacobians(block, s.parameters);
+    for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+      EXPECT_LT(largestDifference(checked.own[k], checked.numeric[k], 1.0 / kForceScale), 1e-6)
           << "state " << i << ", block " << k;
     }
   }

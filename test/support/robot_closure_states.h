@@ -15,6 +15,8 @@ struct ClosureKind {
   double steepest;                   // sine of the chord's slope, at most
   double beside;                     // share of the chord that B lies off the vertical through A; < 0: anywhere
   bool inextensible;
+  double pulley_radius = 0.0;  // [m]; the rope comes from below or from above
+  double dead_length = 0.0;    // [m]
 };
 inline std::ostream& operator<<(std::ostream& out, const ClosureKind& kind) { return out << kind.name; }
 

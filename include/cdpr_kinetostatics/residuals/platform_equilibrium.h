@@ -6,7 +6,8 @@
 //   force        2   (H/x, V) of cable 0 [N/m, N], then of cable 1, ...
 //   length       1   unstrained length of cable 0 [m], then of cable 1, ...
 //
-// Residual, with F_i = (-(H/x)_i h_i, V_i - q_i L_i), h_i the horizontal part of B_i - A_i:
+// Residual, with F_i = (-(H/x)_i h_i, V_i - q_i L_f,i), h_i the horizontal part of B_i - A_i, and L_f,i the part of L_i
+// that hangs freely: all of it, or, where there is a guide pulley, what leaves it as in CATENARY_CORRECTED:
 //
 //     | (sum F_i + m g + f_ext) * weight (first three)                |
 //     | (sum R b_i x F_i + R c x m g + m_ext) * weight (last three)    |    rigid bodies only
@@ -17,6 +18,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "cdpr_kinetostatics/cable/cable_properties.h"
+
 namespace cdpr_kinetostatics {
 
 class PlatformEquilibrium : public ceres::DynamicCostFunction {
@@ -25,6 +28,8 @@ class PlatformEquilibrium : public ceres::DynamicCostFunction {
     Eigen::Vector3d anchor;      // A [m], world
     Eigen::Vector3d attachment;  // b [m], platform frame
     double weight = 0.0;         // q [N/m]
+    // What else the free length depends on where there is a guide pulley or a dead part; the weight here is not read.
+    CableProperties properties = {};
   };
   struct Platform {
     bool rigid_body = true;                       // false: a point mass, three residuals

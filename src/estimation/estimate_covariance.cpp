@@ -78,8 +78,9 @@ Wrench balancingLoad(const RobotDescription& robot, const RobotForces& at) {
   Wrench cables = Wrench::Zero();
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const CablePlane plane = cablePlane(robot.cables[i], at.pose);
-    cables += wrenchAt(plane.arm, forceOnPlatform(plane, at.forces[i].horizontal, at.forces[i].vertical,
-                                                  robot.cables[i].properties.weight * at.lengths[i]));
+    const CableProperties& properties = robot.cables[i].properties;
+    const double weight = properties.weight * freeLengthUnder(properties, at.lengths[i], at.forces[i]);
+    cables += wrenchAt(plane.arm, forceOnPlatform(plane, at.forces[i].horizontal, at.forces[i].vertical, weight));
   }
   Wrench load = -cables - loadWrench(robot, at.pose, Wrench::Zero());
   if (robot.type == PlatformType::kPointMass) load.tail<3>().setZero();

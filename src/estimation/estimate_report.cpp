@@ -11,6 +11,7 @@
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {

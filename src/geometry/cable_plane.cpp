@@ -52,7 +52,11 @@ double distanceBeside(double x, double length) { return std::max(x, kBeside * le
 
 Eigen::Vector3d forceOnPlatform(const CablePlane& plane, double horizontal_force, double vertical_force_a,
                                 double cable_weight) {
-  return -horizontal_force * plane.direction + (vertical_force_a - cable_weight) * Eigen::Vector3d::UnitZ();
+  return forceAtB(plane, horizontal_force, vertical_force_a - cable_weight);
+}
+
+Eigen::Vector3d forceAtB(const CablePlane& plane, double horizontal_force, double vertical_force_b) {
+  return -horizontal_force * plane.direction + vertical_force_b * Eigen::Vector3d::UnitZ();
 }
 
 Eigen::Matrix<double, 6, 2> wrenchByForces(const CablePlane& plane) {

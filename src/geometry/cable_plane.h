@@ -36,6 +36,10 @@ double distanceBeside(double x, double length);
 Eigen::Vector3d forceOnPlatform(const CablePlane& plane, double horizontal_force, double vertical_force_a,
                                 double cable_weight);
 
+// The same from the vertical force that lifts B, which a guide pulley's share of the cable's weight does not reduce
+// [N].
+Eigen::Vector3d forceAtB(const CablePlane& plane, double horizontal_force, double vertical_force_b);
+
 // The wrench that changes of (H, V) at a fixed end bring to the platform.
 Eigen::Matrix<double, 6, 2> wrenchByForces(const CablePlane& plane);
 

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 
+#include "cable/pulley_cable.h"
 #include "cable/sagging_cable.h"
 #include "cable/tautness.h"
 #include "robot/platform_statics.h"
 #include "robot/residual_blocks.h"
 #include "robot/spring_platform.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -45,6 +47,8 @@ RobotDescription inUnits(const Units& units, RobotDescription robot) {
     properties.axial_stiffness /= units.force;
     properties.bending_stiffness /= units.force * units.length * units.length;
     properties.weight *= units.length / units.force;
+    properties.pulley.radius /= units.length;
+    properties.dead_length /= units.length;
   }
   return robot;
 }
@@ -140,7 +144,7 @@ SearchOutcome descendWithSprings(const RobotDescription& robot, const Wrench& ex
                                  Pose* pose) {
   std::vector<Spring> springs;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    springs.push_back({robot.cables[i].properties.axial_stiffness / lengths[i], lengths[i]});
+    springs.push_back(springOf(robot.cables[i].properties, lengths[i]));
   }
   return SpringPlatform(robot, &external).descend(springs, kSpringTolerance, deadline, pose);
 }
@@ -148,16 +152,17 @@ SearchOutcome descendWithSprings(const RobotDescription& robot, const Wrench& ex
 ForcesAtA roughForces(const RobotDescription& robot, std::size_t i, const Pose& pose, double length) {
   const CableDescription& cable = robot.cables[i];
   const CablePlane plane = cablePlane(cable, pose);
-  const double chord = std::hypot(plane.x, plane.y);
-  const double cable_weight = cable.properties.weight * length;
-  if (length > kSurelyLonger * chord && cable_weight > 0.0) {
+  const StraightRope rope = straightRope(cable.properties, plane.x, plane.y);
+  const double chord = rope.chord();
+  const double cable_weight = cable.properties.weight * (length - rope.wrapped);
+  if (length > kSurelyLonger * rope.length() && cable_weight > 0.0) {
     const CableProperties seen = asSeenBy(Model::kCatenary, cable.properties);
-    const auto catenary = catenaryForces(seen, length, std::max(plane.x, 1e-3 * length), plane.y);
+    const auto catenary = hangingForces(seen, length, std::max(plane.x, 1e-3 * length), plane.y);
     if (catenary && catenary->horizontal > 0.0) return *catenary;
   }
   const double share = std::max(robot.weight() / robot.freedoms(), 10.0 * cable_weight);
-  const double x = distanceBeside(plane.x, length);
-  return {share * x / chord, 0.5 * cable_weight - share * plane.y / chord};
+  const double x = distanceBeside(rope.free.x(), length);
+  return {share * x / chord, 0.5 * cable_weight - share * rope.free.y() / chord};
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "robot/straight_rope.h"
+
 namespace cdpr_kinetostatics {
 namespace {
 
@@ -13,10 +15,11 @@ Eigen::Vector2d quarter(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 ChordLaw::ChordLaw(const SaggingCable& cable, const CablePlane& plane, const Eigen::Matrix2d& stiffness,
                    const Eigen::Vector2d& by_length, double new_length) {
   const double q = cable.properties().weight;
-  weight_ = q * new_length;
-  chord_ = std::hypot(plane.x, plane.y);
-  along_ = Eigen::Vector2d(plane.x, plane.y) / chord_;
-  const Eigen::Vector2d force(cable.horizontalForce(), 0.5 * q * cable.length() - cable.verticalForceA());
+  weight_ = q * (new_length - (cable.length() - cable.freeLength()));
+  departure_ = departureUnder(cable.properties(), cable.forces());
+  chord_ = std::hypot(plane.x - departure_.x(), plane.y - departure_.y());
+  along_ = (Eigen::Vector2d(plane.x, plane.y) - departure_) / chord_;
+  const Eigen::Vector2d force(cable.horizontalForce(), 0.5 * q * cable.freeLength() - cable.verticalForceA());
   const Eigen::Vector2d signs(1.0, -1.0);  // f falls as V grows
   by_chord_ = signs.asDiagonal() * stiffness * along_;
   by_turn_ = chord_ * (signs.asDiagonal() * stiffness * quarter(along_)) - quarter(force);
@@ -24,8 +27,8 @@ ChordLaw::ChordLaw(const SaggingCable& cable, const CablePlane& plane, const Eig
 }
 
 ChordLaw::Value ChordLaw::at(const CablePlane& plane) const {
-  const double chord = std::hypot(plane.x, plane.y);
-  const Eigen::Vector2d along = Eigen::Vector2d(plane.x, plane.y) / chord;
+  const double chord = std::hypot(plane.x - departure_.x(), plane.y - departure_.y());
+  const Eigen::Vector2d along = (Eigen::Vector2d(plane.x, plane.y) - departure_) / chord;
   Eigen::Matrix2d turn;
   turn.col(0) << along.dot(along_), along_.x() * along.y() - along_.y() * along.x();
   turn.col(1) = quarter(turn.col(0));

@@ -33,9 +33,10 @@ class ChordLaw {
   Eigen::Vector3d forceOnPlatform(const CablePlane& plane, const Value& value) const;
 
  private:
-  double weight_ = 0.0;    // of the cable at its new length [N]
-  double chord_ = 0.0;     // where the law begins [m]
-  Eigen::Vector2d along_;  // unit vector of the chord there
+  double weight_ = 0.0;                                  // of the cable at its new length [N]
+  Eigen::Vector2d departure_ = Eigen::Vector2d::Zero();  // where the rope leaves its pulley: the chord begins there
+  double chord_ = 0.0;                                   // where the law begins [m]
+  Eigen::Vector2d along_;                                // unit vector of the chord there
   // f = (H, q L/2 - V) there, at the new length, and how it changes with the chord's length [N/m] and, beyond turning
   // with the chord, with the chord's angle [N/rad].
   Eigen::Vector2d force_, by_chord_, by_turn_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cable/iteration_schedule.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -45,11 +46,13 @@ bool CoupledNewton::linearise(const Wrench& external, Steps steps, CoupledState*
     closure_defect_ = std::max(closure_defect_, open / cable.length());
     e.start = e.stiffness * defect;
 
-    const double weight = cable.properties().weight * cable.length();
+    e.at_b = forcesAtB(cable);
+    const Eigen::Vector2d start_at_b = e.at_b * e.start;
+    const double weight = cable.properties().weight * cable.freeLength();
     const double h = cable.horizontalForce() + e.start.x();
-    const Eigen::Vector3d force = forceOnPlatform(e.plane, h, cable.verticalForceA() + e.start.y(), weight);
+    const Eigen::Vector3d force = forceOnPlatform(e.plane, h, cable.verticalForceA() + start_at_b.y(), weight);
     unbalanced_ += wrenchAt(e.plane.arm, force);
-    linear_.add(e.plane, e.stiffness, h, force);
+    linear_.add(e.plane, e.at_b * e.stiffness, h, force);
   }
   return unbalanced_.allFinite() && linear_.stiffness().allFinite();
 }
@@ -126,7 +129,7 @@ bool CoupledNewton::atRounding() const {
 
 Residuals CoupledNewton::residuals() const {
   Wrench wrench = unbalanced_;
-  for (const Elimination& e : cables_) wrench -= wrenchByForces(e.plane) * e.start;
+  for (const Elimination& e : cables_) wrench -= wrenchByForces(e.plane) * (e.at_b * e.start).eval();
   return {open_, wrench.head<3>().norm(), robot_.freedoms() == 6 ? wrench.tail<3>().norm() : 0.0};
 }
 

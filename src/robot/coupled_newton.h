@@ -69,6 +69,7 @@ class CoupledNewton {
     Eigen::Matrix2d stiffness;  // d(H, V)/d(x, y)
     Eigen::Vector2d by_length;  // d(H, V)/dL at fixed ends
     Eigen::Vector2d start;      // what closes the cable at this pose
+    Eigen::Matrix2d at_b;       // of the forces at B by those at A, see forcesAtB()
   };
 
   Eigen::Vector3d change(const Elimination& e) const;

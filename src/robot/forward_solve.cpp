@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cable/catenary.h"
 #include "cable/iteration_schedule.h"
+#include "cable/pulley_cable.h"
 #include "cable/text.h"
 #include "robot/basin_search.h"
 #include "robot/platform_error.h"
@@ -15,6 +15,7 @@
 #include "robot/solution_assembly.h"
 #include "robot/stiffening.h"
 #include "robot/straight_forward.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -110,7 +111,7 @@ bool ForwardSolve::skipSearch(Model rung, RobotForces* start) {
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     const CablePlane plane = cablePlane(robot_.cables[i], start->pose);
     const std::optional<ForcesAtA> forces =
-        catenaryForces(asSeenBy(rung, robot_.cables[i].properties), start->lengths[i], plane.x, plane.y);
+        hangingForces(asSeenBy(rung, robot_.cables[i].properties), start->lengths[i], plane.x, plane.y);
     if (!forces) return false;
     closed.forces[i] = *forces;
   }
@@ -142,6 +143,8 @@ bool ForwardSolve::refine(const RobotForces& start, int max_iterations, double o
   if (!took(solveCoupled(request_.external_wrench, options, &newton_, &state_))) return false;
   for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
     if (state_.cables[i].onBranch()) continue;
+    outcome_.status = checkPulleys(robot_, state_.pose);
+    if (!outcome_.ok()) return false;
     outcome_.status = {Code::kWrongBranch, "cable '" + robot_.cables[i].name +
                                                "' ended in an equilibrium that is not the sagging one: start from a "
                                                "seed nearer to the platform's pose"};
@@ -168,7 +171,8 @@ void ForwardSolve::startCables(const RobotForces& start, double own_shape) {
     SaggingCable cable(robot_.cables[i].properties, rungs_[i], options_.tolerance);
     const CablePlane plane = cablePlane(robot_.cables[i], state_.pose);
     bool started = false;
-    if (isBending(rungs_[i]) && start.lengths[i] > own_shape * std::hypot(plane.x, plane.y)) {
+    if (isBending(rungs_[i]) &&
+        start.lengths[i] > own_shape * straightRope(robot_.cables[i].properties, plane.x, plane.y).length()) {
       started = cable.startBetween(start.lengths[i], plane.x, plane.y, {options_.tolerance, deadline_}).ok();
     }
     if (!started) cable.start(start.lengths[i], start.forces[i]);

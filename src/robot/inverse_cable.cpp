@@ -7,6 +7,7 @@
 
 #include "cable/tautness.h"
 #include "robot/platform_statics.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -31,10 +32,11 @@ constexpr double kNearlyClosed = 1e-2;
 constexpr int kMostSteps = 40;
 
 // Derivatives of (H, V, L) with respect to the end (x, y) and to the pull: rows of the inverted system are closure and
-// the pull, H cos + (q L/2 - V) sin of the chord's slope.
+// the pull, H cos + (q L/2 - V) sin of the chord's slope; with a pulley L and chord are those of the free part.
 Eigen::Matrix3d byEndAndPull(const SaggingCable& cable, const Eigen::Vector2d& along) {
   Eigen::Matrix3d system;
-  system << cable.end().jacobian, along.x(), -along.y(), 0.5 * cable.properties().weight * along.y();
+  const Eigen::RowVector3d weight = Eigen::RowVector3d::UnitY() - cable.verticalForceBDerivative();
+  system << cable.end().jacobian, Eigen::RowVector3d(along.x(), -along.y(), 0.0) + 0.5 * weight * along.y();
   return system.inverse();
 }
 
@@ -45,12 +47,13 @@ bool InverseCable::linearise(const CableDescription& description, const Pose& po
   if (!cable.linearise(adapt)) return false;
   plane = cablePlane(description, pose);
   const Eigen::Vector2d end(plane.x, plane.y);
-  chord = end.norm();
-  along = end / chord;
+  const Eigen::Vector2d free = straightFreePart(cable.properties(), plane.x, plane.y);
+  chord = free.norm();
+  along = free / chord;
   const double cosine = along.x();
   const double sine = along.y();
   const Eigen::Vector2d forces(cable.horizontalForce(), cable.verticalForceA());
-  const double half_weight = 0.5 * cable.properties().weight * cable.length();
+  const double half_weight = 0.5 * cable.properties().weight * cable.freeLength();
   const Eigen::Matrix3d inverse = byEndAndPull(cable, along);
   const Eigen::Vector2d defect = end - cable.end().position;
   open = defect.norm();
@@ -117,7 +120,8 @@ void InverseCable::limitPull() {
 
 double InverseCable::pullOfEndless() const {
   if (isStraight(cable.model())) return 0.0;
-  const double hanging = 0.5 * cable.properties().weight * plane.y * plane.y / chord;
+  const double height = straightFreePart(cable.properties(), plane.x, plane.y).y();
+  const double hanging = 0.5 * cable.properties().weight * height * height / chord;
   if (!cable.bends()) return hanging;
   return hanging - kBuckling * bucklingForce(cable.properties(), chord);
 }
@@ -153,15 +157,10 @@ Eigen::RowVector3d InverseCable::tensionByTurn() const {
   return closed.transpose() / tension * byTurn().topRows<2>();
 }
 
-Eigen::Vector3d InverseCable::force() const {
-  return forceOnPlatform(plane, cable.horizontalForce(), cable.verticalForceA(),
-                         cable.properties().weight * cable.length());
-}
+Eigen::Vector3d InverseCable::force() const { return forceAtB(plane, cable.horizontalForce(), cable.verticalForceB()); }
 
 Eigen::Matrix3d InverseCable::forceByCable() const {
-  Eigen::Matrix3d by_cable;
-  by_cable << plane.forceByForces(), -cable.properties().weight * Eigen::Vector3d::UnitZ();
-  return by_cable;
+  return -plane.direction * Eigen::RowVector3d::UnitX() + Eigen::Vector3d::UnitZ() * cable.verticalForceBDerivative();
 }
 
 }  // namespace cdpr_kinetostatics

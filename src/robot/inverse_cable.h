@@ -29,8 +29,8 @@ struct InverseCable {
 
   // Of the last linearisation: (H, V, L) change by start + by_pull * (change of the pull) + byTurn() * rotation, and by
   // half of bend times the square of the pull's change; start is what closes the cable at its pull.
-  double chord = 0.0;     // [m]
-  Eigen::Vector2d along;  // unit vector of the chord, from A
+  double chord = 0.0;     // of the straight rope, from where it leaves its pulley if there is one [m]
+  Eigen::Vector2d along;  // unit vector of the chord, towards B
   double open = 0.0;      // distance of the cable's end from B [m]
   double pull = 0.0;      // [N]
   double tension = 0.0;   // T_A of the closed cable [N]

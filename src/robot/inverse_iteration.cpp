@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "robot/platform_statics.h"
+#include "robot/straight_rope.h"
 #include "robot/tension_limits.h"
 
 namespace cdpr_kinetostatics {
@@ -50,7 +51,7 @@ bool startOnBranch(const InverseCable& catenary, const SolveLimits& limits, Sagg
   const double x = catenary.plane.x;
   const double y = catenary.plane.y;
   if (cable->startBetween(catenary.cable.length(), x, y, limits).ok() && !cable->pushes()) return true;
-  return cable->startBetween(std::hypot(x, y), x, y, limits).ok();
+  return cable->startBetween(straightRope(cable->properties(), x, y).length(), x, y, limits).ok();
 }
 
 }  // namespace
@@ -73,6 +74,7 @@ void InverseIteration::setAttitude(const Eigen::Quaterniond& attitude) {
 }
 
 Status InverseIteration::startCables(Model closed_form, double tolerance) {
+  if (Status reach = checkPulleys(problem_.robot, pose_); !reach.ok()) return reach;
   distribution_ = {};
   price_ = price_of_limits_ = 0.0;
   cables_.clear();
@@ -83,18 +85,19 @@ Status InverseIteration::startCables(Model closed_form, double tolerance) {
     cable.plane = cablePlane(description, pose_);
     cable.lower = description.tension_min;
     cable.upper = description.tension_max;
-    const double chord = std::hypot(cable.plane.x, cable.plane.y);
-    if (!(chord > 0.0)) {
+    if (!(std::hypot(cable.plane.x, cable.plane.y) > 0.0)) {
       return {Code::kInvalidInput, "cable '" + description.name + "': its ends coincide at this pose"};
     }
     const CableProperties& seen = cable.cable.properties();
     const double tension = std::clamp(problem_.preferred(static_cast<Eigen::Index>(i)),
                                       std::max(cable.lower, kLeastShare * cable.upper), cable.upper);
+    const StraightRope rope = straightRope(seen, cable.plane.x, cable.plane.y);
+    const double chord = rope.chord();
     const double pull = std::max(tension, kStartingPull * seen.weight * chord);
-    double length = chord / (1.0 + pull / seen.axial_stiffness);
-    if (!isStraight(closed_form)) length *= 1.0 + std::pow(seen.weight * cable.plane.x / pull, 2) / 24.0;
-    cable.cable.start(length,
-                      {pull * cable.plane.x / chord, 0.5 * seen.weight * length - pull * cable.plane.y / chord});
+    double free = chord / (1.0 + pull / seen.axial_stiffness);
+    if (!isStraight(closed_form)) free *= 1.0 + std::pow(seen.weight * rope.free.x() / pull, 2) / 24.0;
+    const ForcesAtA forces{pull * rope.free.x() / chord, 0.5 * seen.weight * free - pull * rope.free.y() / chord};
+    cable.cable.start(free + (rope.wrapped - seen.dead_length * pull / seen.axial_stiffness), forces);
     cables_.push_back(std::move(cable));
   }
   return {Code::kConverged, ""};

@@ -5,11 +5,13 @@
 
 #include "cable/cable_description.h"
 #include "cable/iteration_schedule.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/text.h"
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 #include "robot/robot_gate.h"
 #include "robot/solution_assembly.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -113,19 +115,18 @@ RobotSolution InverseSolve::solution() const {
 }
 
 Status InverseSolve::iterate(double tolerance) {
-  const Status no_stiffness = {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
   bool adapt = true;
   int infeasible = 0;  // iterations in which the limits could not be met
   double last_size = std::numeric_limits<double>::infinity();
-  if (!iteration_.closeCables(Steps::kNew)) return no_stiffness;
+  if (!iteration_.closeCables(Steps::kNew)) return noStiffness();
   for (int i = 0; i < kMaxIterations; ++i) {
     if (isLate()) return {Code::kTimedOut, "the time allowed ran out while the tensions were distributed"};
     ++outcome_.iterations;
     outcome_.residuals = iteration_.residuals();
-    if (!iteration_.distribute(deadline_)) return no_stiffness;
+    if (!iteration_.distribute(deadline_)) return noStiffness();
     if (isLate()) continue;
     const InverseIteration::Move move = iteration_.plannedMove();
-    if (!move.finite || !iteration_.advance(move, adapt ? Steps::kNew : Steps::kKept)) return no_stiffness;
+    if (!move.finite || !iteration_.advance(move, adapt ? Steps::kNew : Steps::kKept)) return noStiffness();
     const bool settled = hasSettled(move.size, last_size, tolerance) && !adapt;
     if (!iteration_.isFeasible() && ++infeasible == kMostInfeasible) return iteration_.infeasible();
     if (settled && (!iteration_.isFeasible() || !iteration_.isBalanced())) return iteration_.infeasible();
@@ -134,6 +135,17 @@ Status InverseSolve::iterate(double tolerance) {
     last_size = move.size;
   }
   return {Code::kNotConverged, "the tensions did not settle at this pose"};
+}
+
+// A guide pulley may be why: one that is too small for its rope, or too large for where the rope has to go.
+Status InverseSolve::noStiffness() const {
+  for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+    const CableProperties& properties = robot_.cables[i].properties;
+    const ForcesAtA forces = iteration_.cables()[i].cable.forces();
+    const Status contact = checkContact(properties, forces, tautDeparture(properties, forces));
+    if (!contact.ok()) return {contact.code, text("cable '", robot_.cables[i].name, "': ", contact.message)};
+  }
+  return {Code::kNotConverged, "the tensions did not settle: a cable has no stiffness here"};
 }
 
 Status InverseSolve::settle(double tolerance) {
@@ -166,12 +178,13 @@ const LinearRobot::Stiffness& InverseSolve::stiffness() {
     const InverseCable& c = iteration_.cables()[i];
     EndPoint end = c.cable.end();
     if (isInextensible(c.cable.model())) {  // a real cable stretches: without that it has no stiffness at all
-      const Eigen::Vector2d along = Eigen::Vector2d(c.plane.x, c.plane.y).normalized();
+      const CableProperties& properties = robot_.cables[i].properties;
+      const Eigen::Vector2d along = straightFreePart(properties, c.plane.x, c.plane.y).normalized();
       const Eigen::Vector2d force_along(along.x(), -along.y());
       end.jacobian.leftCols<2>() +=
-          c.cable.length() / robot_.cables[i].properties.axial_stiffness * along * force_along.transpose();
+          (c.cable.length() + properties.dead_length) / properties.axial_stiffness * along * force_along.transpose();
     }
-    linear_.add(c.plane, forceJacobian(end).leftCols<2>(), c.cable.horizontalForce(), c.force());
+    linear_.add(c.plane, forcesAtB(c.cable) * forceJacobian(end).leftCols<2>(), c.cable.horizontalForce(), c.force());
   }
   return linear_.stiffness();
 }

@@ -53,6 +53,7 @@ class InverseSolve {
   Status iterate(double tolerance);
   Status settle(double tolerance);
   Status checkBranches() const;
+  Status noStiffness() const;
   Status judge();
 
   // A free attitude from elsewhere, after the attempt from the attitude asked for has ended like this.

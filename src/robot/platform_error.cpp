@@ -19,8 +19,7 @@ PlatformError platformError(const RobotDescription& robot, const Pose& pose, con
     const CablePlane plane = cablePlane(robot.cables[i], pose);
     const RungError of_cable = rungError(properties, cables[i]);
     const double h = cables[i].horizontal_force;
-    const double v = cables[i].vertical_force_a;
-    linear.add(plane, of_cable.stiffness, h, forceOnPlatform(plane, h, v, properties.weight * cables[i].length));
+    linear.add(plane, of_cable.stiffness, h, forceAtB(plane, h, cables[i].vertical_force_b));
     unbalanced += wrenchByForces(plane) * of_cable.force;
     error.known = error.known && of_cable.known;
     error.cables.push_back(of_cable);

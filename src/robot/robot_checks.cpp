@@ -17,11 +17,19 @@ Status checkPoint(const char* field, const Eigen::Vector3d& point) {
   return kFine;
 }
 
+// What a unit of a drive's position is worth [m]: the finest is a count of an encoder of many turns, the largest is far
+// above any drum's turn.
+constexpr double kLeastScale = 1e-12;
+constexpr double kLargestScale = 1e6;
+
 Status checkDescription(const CableDescription& cable) {
   return firstRefusal(checkPoint("anchor", cable.anchor), checkPoint("attachment", cable.attachment),
                       checkCable(cable.properties, Model::kBending),
                       checkNotNegative("tension_min", cable.tension_min, kLargestForce, "N"),
-                      checkNotNegative("tension_max", cable.tension_max, kLargestForce, "N"));
+                      checkNotNegative("tension_max", cable.tension_max, kLargestForce, "N"),
+                      checkBetween("the magnitude of scale", std::abs(cable.scale), kLeastScale, kLargestScale,
+                                   "m per unit of position"),
+                      checkWithin("offset", cable.offset, kLargestLength, "m"));
 }
 
 // The tensions, pitch and roll are to meet six equations.

@@ -10,6 +10,8 @@
 #include "robot/cable_keys.h"
 #include "robot/platform_statics.h"
 #include "robot/robot_checks.h"
+#include "robot/straight_rope.h"
+#include "robot/winch_keys.h"
 #include "robot/yaml_file.h"
 #include "robot/yaml_map.h"
 #include "robot/yaml_tree.h"
@@ -105,7 +107,13 @@ CableKeys readDefaults(YamlMap& root, Warnings& warnings) {
   return defaults;
 }
 
-CableDescription readPoint(YamlMap point, const std::string& default_name, const CableKeys& defaults,
+// What holds for all cables.
+struct Defaults {
+  CableKeys cable;
+  WinchKeys winch;
+};
+
+CableDescription readPoint(YamlMap point, const std::string& default_name, const Defaults& defaults,
                            const RobotDescription& robot, Warnings& warnings) {
   CableDescription cable;
   cable.name = point.textOr("name", default_name);
@@ -122,8 +130,9 @@ CableDescription readPoint(YamlMap point, const std::string& default_name, const
 
   CableKeys keys;
   if (point.has("cable")) keys = readCableKeys(point.map("cable"), warnings.others);
-  keys.insert(defaults.begin(), defaults.end());
+  keys.insert(defaults.cable.begin(), defaults.cable.end());
   resolveCable(keys, point.pathOf("cable"), robot.gravity, cable);
+  resolveWinch(readWinchKeys(point, warnings.others), defaults.winch, cable);
   warnings.addUnread(point);
   return cable;
 }
@@ -138,7 +147,7 @@ LoadedRobot parse(const YAML::Node& node, const std::string& default_name) {
   robot.gravity = root.optionalNumber("gravity", Range::kPositive, "m/s^2").value_or(robot.gravity);
   readPlatform(root.map("platform"), robot, warnings);
 
-  const CableKeys defaults = readDefaults(root, warnings);
+  const Defaults defaults{readDefaults(root, warnings), readWinchKeys(root, warnings.others)};
   std::set<std::string> names;
   std::vector<YamlMap> points = root.maps("points");
   if (points.size() > kMostCables) {
@@ -153,7 +162,8 @@ LoadedRobot parse(const YAML::Node& node, const std::string& default_name) {
                                   ": expected a name that no other cable has");
     }
   }
-  const Status status = checkRobot(robot);
+  Status status = checkRobot(robot);
+  if (status.ok()) status = checkPulleys(robot, robot.home);
   if (!status.ok()) throw std::invalid_argument(status.message);
   warnings.addSimulationOnly(root.present(kSimulationRoot));
   warnings.addUnread(root);

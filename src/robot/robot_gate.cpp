@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cable/cable_gate.h"
+#include "cable/rope_on_pulley.h"
 #include "cable/text.h"
 
 namespace cdpr_kinetostatics {
@@ -34,6 +35,13 @@ double acceptedImbalance(const RobotDescription& robot, const RobotSolution& sol
   return kShare * std::max(tolerance, kRounding) * forces + by_rounding;
 }
 
+// Whether the rope lies on its guide pulley. The weight that a straight line lumps where it leaves says nothing of
+// that.
+Status contactOf(const CableProperties& properties, const CableSolution& cable) {
+  if (isStraight(cable.model)) return checkWrap(properties.pulley, cable.angle_a);
+  return checkContact(properties, {cable.horizontal_force, cable.vertical_force_a}, cable.angle_a);
+}
+
 bool isFinite(const RobotSolution& solution) {
   const RobotReport& report = solution.report;
   return solution.pose.position.allFinite() && solution.pose.orientation.coeffs().allFinite() &&
@@ -61,8 +69,11 @@ Status verdictOf(const RobotDescription& robot, const RobotSolution& solution, c
             "the robot's numbers do not fit into a double: its cables are too soft, too stiff or "
             "too light for its load"};
   }
-  for (const CableResult& result : solution.cables) {
+  for (std::size_t i = 0; i < solution.cables.size(); ++i) {
+    const CableResult& result = solution.cables[i];
     const CableSolution& cable = result.cable;
+    const Status contact = contactOf(robot.cables[i].properties, cable);
+    if (!contact.ok()) return {contact.code, text("cable '", result.name, "': ", contact.message)};
     if (!(cable.closure_residual <= kShare * acceptedClosure(cable, tolerance))) {
       return {Code::kNotConverged,
               text("cable '", result.name, "' ends ", cable.closure_residual, " m away from its attachment")};

@@ -4,6 +4,7 @@
 
 #include "robot/linear_robot.h"
 #include "robot/platform_statics.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -91,7 +92,7 @@ bool RungChoice::estimate(const RobotDescription& robot, const RobotForces& stat
     const CablePlane plane = cablePlane(robot.cables[i], state.pose);
     errors_[i] = rungErrors(properties, state.lengths[i], h, v);
     linear.add(plane, errors_[i].front().stiffness, h,
-               forceOnPlatform(plane, h, v, properties.weight * state.lengths[i]));
+               forceOnPlatform(plane, h, v, properties.weight * freeLengthUnder(properties, state.lengths[i], {h, v})));
   }
   if (!linear.factorise()) return false;
   for (std::size_t i = 0; i < count; ++i) {

@@ -16,8 +16,9 @@ constexpr double kLimitTolerance = 1e-9;  // a tension this near to its limit ha
 
 Condition conditionOf(const CableSolution& cable, double tension_min) {
   if (pushes({cable.horizontal_force, cable.vertical_force_a})) return Condition::kCompressed;
-  const bool slack = cable.length > kSlackExcess * std::hypot(cable.x, cable.y) ||
-                     cable.tension_a < tension_min * (1.0 - kLimitTolerance);
+  const bool slack =
+      cable.free_length > kSlackExcess * std::hypot(cable.x - cable.departure_x, cable.y - cable.departure_y) ||
+      cable.tension_a < tension_min * (1.0 - kLimitTolerance);
   return slack ? Condition::kSlack : Condition::kTaut;
 }
 
@@ -66,17 +67,18 @@ void assemble(const RobotDescription& robot, const Wrench& external, const std::
     result.name = description.name;
     result.condition = conditionOf(cables[i], description.tension_min);
     result.direction = plane.direction;
-    result.force_on_platform = forceOnPlatform(plane, cables[i].horizontal_force, cables[i].vertical_force_a,
-                                               description.properties.weight * cables[i].length);
+    result.force_on_platform = forceAtB(plane, cables[i].horizontal_force, cables[i].vertical_force_b);
     total += wrenchAt(plane.arm, result.force_on_platform);
     report.closure_residual = std::max(report.closure_residual, cables[i].closure_residual);
     report.integrator_steps += cables[i].integrator_steps;
     report.evaluations += cables[i].evaluations;
     report.model = std::max(report.model, cables[i].model);
+    const auto inWorld = [&](double x, double y) -> Eigen::Vector3d {
+      return description.anchor + x * plane.direction + y * Eigen::Vector3d::UnitZ();
+    };
+    result.departure = inWorld(cables[i].departure_x, cables[i].departure_y);
     result.profile.clear();
-    for (const ProfilePoint& point : cables[i].profile) {
-      result.profile.push_back(description.anchor + point.x * plane.direction + point.y * Eigen::Vector3d::UnitZ());
-    }
+    for (const ProfilePoint& point : cables[i].profile) result.profile.push_back(inWorld(point.x, point.y));
   }
   const PlatformError error = platformError(robot, solution->pose, cables);
   report.estimated_error = error.translation;

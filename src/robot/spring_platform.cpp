@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cable/rope_on_pulley.h"
 #include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -14,6 +16,9 @@ using Clock = std::chrono::steady_clock;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kMaxIterations = 500;
+
+// A rope is never shorter than this share of its length: its direction stays a number.
+constexpr double kLeastChord = 1e-12;
 
 // Strain of the softest springs under the load, and how much stiffer the next ones are.
 constexpr double kSoftStrain = 0.01;
@@ -47,9 +52,32 @@ Wrench forceScale(const RobotDescription& robot) {
 
 }  // namespace
 
-double Spring::tension(double chord) const {
-  const double t = shift + stiffness * (chord - length);
+double Spring::tension(double way) const {
+  const double t = shift + stiffness * (way - length);
   return two_sided ? t : std::max(t, 0.0);
+}
+
+Spring springOf(const CableProperties& cable, double length) {
+  return {cable.axial_stiffness / (length + cable.dead_length), length};
+}
+
+SpringWay springWay(const CableDescription& cable, const Pose& pose, double least_chord) {
+  SpringWay way;
+  if (!hasPulley(cable.properties)) {
+    const Eigen::Vector3d along = anchorToAttachment(cable, pose);
+    way.length = way.chord = std::max(along.norm(), least_chord);
+    way.unit = along / way.chord;
+    return way;
+  }
+  const CablePlane plane = cablePlane(cable, pose);
+  const StraightRope rope = straightRope(cable.properties, plane.x, plane.y);
+  way.chord = std::max(rope.chord(), least_chord);
+  way.length = rope.wrapped + way.chord;
+  way.unit = (rope.free.x() * plane.direction + rope.free.y() * Eigen::Vector3d::UnitZ()) / way.chord;
+  // The pulley swivels about the vertical through the anchor, not about where the rope leaves.
+  way.side = plane.side();
+  if (plane.x > least_chord) way.across = rope.free.x() / way.chord / plane.x - 1.0 / way.chord;
+  return way;
 }
 
 SpringPlatform::Local SpringPlatform::at(const Pose& pose, const std::vector<Spring>& springs) const {
@@ -62,18 +90,18 @@ SpringPlatform::Local SpringPlatform::at(const Pose& pose, const std::vector<Spr
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const CableDescription& cable = robot_.cables[i];
     const Eigen::Vector3d arm = pose.orientation * cable.attachment;
-    const Eigen::Vector3d along = anchorToAttachment(cable, pose);
-    const double chord = std::max(along.norm(), 1e-12 * springs[i].length);
-    const Eigen::Vector3d unit = along / chord;
-    const double tension = springs[i].tension(chord);
+    const SpringWay way = springWay(cable, pose, kLeastChord * springs[i].length);
+    const Eigen::Vector3d& unit = way.unit;
+    const double tension = springs[i].tension(way.length);
     Eigen::Vector3d force = -tension * unit;
-    Eigen::Matrix3d by_b = -tension / chord * (Eigen::Matrix3d::Identity() - unit * unit.transpose());
+    Eigen::Matrix3d by_b = -tension / way.chord * (Eigen::Matrix3d::Identity() - unit * unit.transpose());
+    if (way.across != 0.0) by_b -= tension * way.across * way.side * way.side.transpose();
     if (tension > 0.0 || springs[i].two_sided) by_b -= springs[i].stiffness * unit * unit.transpose();
     local.energy += 0.5 * tension * tension / springs[i].stiffness;
     if (external_ != nullptr) {
-      const double half_weight = 0.5 * cable.properties.weight * springs[i].length;
+      const double half_weight = springs[i].halfWeight(cable.properties);
       force.z() -= half_weight;
-      local.energy += half_weight * along.z();
+      local.energy += half_weight * anchorToAttachment(cable, pose).z();
     }
     local.wrench += wrenchAt(arm, force);
     local.stiffness += wrenchByMotion(arm, force, by_b * motionOfPoint(arm));

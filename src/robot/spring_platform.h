@@ -14,15 +14,31 @@
 
 namespace cdpr_kinetostatics {
 
-// Tension shift + stiffness (chord - length); never negative unless two_sided.
+// Tension shift + stiffness (way - length); never negative unless two_sided. The way is that of a straight rope, around
+// its guide pulley if there is one.
 struct Spring {
   double stiffness = 0.0;  // [N/m]
   double length = 0.0;     // [m]
   double shift = 0.0;      // [N]
   bool two_sided = false;
+  double held = 0.0;  // of its length, what hangs at a pulley and not at the platform [m]
 
-  double tension(double chord) const;
+  double tension(double way) const;
+  double halfWeight(const CableProperties& cable) const { return 0.5 * cable.weight * (length - held); }
 };
+
+// As stiff as a cable of this length with the dead part behind it.
+Spring springOf(const CableProperties& cable, double length);
+
+// The straight rope from a cable's anchor to the platform, in the world.
+struct SpringWay {
+  double length = 0.0;   // from the anchor [m]
+  double chord = 0.0;    // of its free part [m]
+  Eigen::Vector3d unit;  // along the free part, towards the platform
+  double across = 0.0;   // by how much more than 1/chord the direction turns with a motion across the plane [1/m]
+  Eigen::Vector3d side = Eigen::Vector3d::Zero();  // across the plane
+};
+SpringWay springWay(const CableDescription& cable, const Pose& pose, double least_chord = 0.0);
 
 class SpringPlatform {
  public:

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cable/rope_on_pulley.h"
 #include "cable/sagging_cable.h"
 #include "cable/text.h"
 #include "cdpr_kinetostatics/robot/tension_distribution.h"
+#include "robot/linear_robot.h"
 #include "robot/platform_stability.h"
 #include "robot/platform_statics.h"
 #include "robot/robot_gate.h"
 #include "robot/solution_assembly.h"
 #include "robot/spring_platform.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -18,6 +21,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMaxMultiplierUpdates = 60;
+
+// Springs that follow lines around pulleys settle by some thousandths in each turn: until a force changes by less than
+// this share of the tolerance times the platform's weight.
+constexpr int kMaxLineUpdates = 20;
+constexpr double kSettledForce = 0.1;
 
 // Share of its length by which a tight inextensible cable's chord may differ from it: some digits above rounding.
 constexpr double kExcess = 1e-12;
@@ -35,6 +43,7 @@ SearchOutcome solveOverdetermined(const RobotDescription& robot, const ForwardRe
   std::vector<Spring> springs;
   const double stiffness = robot.weight() / robot.span();
   for (const double length : request.lengths) springs.push_back({stiffness, length, 0.0, true});
+  tensions->clear();
   SearchOutcome outcome = SpringPlatform(robot, nullptr).descend(springs, tolerance, deadline, pose);
   outcome.residuals = {};  // of springs that carry no load
   if (!outcome.ok()) return outcome;
@@ -46,9 +55,10 @@ SearchOutcome solveOverdetermined(const RobotDescription& robot, const ForwardRe
   Eigen::MatrixXd structure(6, robot.cables.size());
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
     const Eigen::Vector3d arm = pose->orientation * robot.cables[i].attachment;
-    const Eigen::Vector3d along = anchorToAttachment(robot.cables[i], *pose);
-    structure.col(static_cast<Eigen::Index>(i)) = wrenchAt(arm, -along.normalized());
-    const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
+    const SpringWay way = springWay(robot.cables[i], *pose);
+    structure.col(static_cast<Eigen::Index>(i)) = wrenchAt(arm, -way.unit);
+    springs[i].held = way.length - way.chord;
+    const double half_weight = springs[i].halfWeight(robot.cables[i].properties);
     needed += wrenchAt(arm, half_weight * Eigen::Vector3d::UnitZ());
   }
   const Eigen::VectorXd solution =
@@ -71,18 +81,55 @@ SearchOutcome solveInextensible(const RobotDescription& robot, const ForwardRequ
     double open = 0.0;  // [m]
     for (std::size_t k = 0; k < springs->size(); ++k) {
       Spring& spring = (*springs)[k];
-      const double chord = anchorToAttachment(robot.cables[k], *pose).norm();
-      const double tension = spring.tension(chord);
+      const SpringWay way = springWay(robot.cables[k], *pose);
+      const double tension = spring.tension(way.length);
       if (tension > 0.0) {
-        excess = std::max(excess, std::abs(chord / spring.length - 1.0));
-        open = std::max(open, std::abs(chord - spring.length));
+        excess = std::max(excess, std::abs(way.length / spring.length - 1.0));
+        open = std::max(open, std::abs(way.length - spring.length));
       }
       spring.shift = tension;
+      spring.held = way.length - way.chord;
     }
     outcome.residuals.closure = open;
     if (excess < kExcess) return outcome;
   }
   outcome.status = {Code::kNotConverged, "the inextensible cables' tensions did not settle"};
+  return outcome;
+}
+
+// A spring's law is that of an eyelet without dead length: takes over what the lines between these ends really carry.
+// Returns the largest change of a force [N].
+double followLines(const RobotDescription& robot, const Pose& pose, double tolerance, std::vector<Spring>* springs) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < springs->size(); ++i) {
+    const CableProperties& properties = robot.cables[i].properties;
+    if (beginsAtEyelet(properties)) continue;
+    Spring& spring = (*springs)[i];
+    const CablePlane plane = cablePlane(robot.cables[i], pose);
+    SaggingCable line(properties, Model::kStraightElastic, tolerance);
+    if (!line.startBetween(spring.length, plane.x, plane.y, {tolerance}).ok()) continue;
+    const double before = spring.halfWeight(properties);
+    spring.held = spring.length - line.freeLength();
+    const double half_weight = spring.halfWeight(properties);
+    const double way = straightRope(properties, plane.x, plane.y).length();
+    const double change = std::hypot(line.horizontalForce(), line.verticalForceA() - half_weight) - spring.tension(way);
+    spring.shift += change;
+    largest = std::max({largest, std::abs(change), std::abs(half_weight - before)});
+  }
+  return largest;
+}
+
+// The stable pose on elastic lines.
+SearchOutcome solveElastic(const RobotDescription& robot, const ForwardRequest& request, double tolerance,
+                           Clock::time_point deadline, std::vector<Spring>* springs, Pose* pose) {
+  const SpringPlatform platform(robot, &request.external_wrench);
+  SearchOutcome outcome = platform.descend(*springs, tolerance, deadline, pose);
+  for (int i = 0; i < kMaxLineUpdates && outcome.ok(); ++i) {
+    if (followLines(robot, *pose, tolerance, springs) <= kSettledForce * tolerance * robot.weight()) break;
+    const int iterations = outcome.iterations;
+    outcome = platform.descend(*springs, tolerance, deadline, pose);
+    outcome.iterations += iterations;
+  }
   return outcome;
 }
 
@@ -114,6 +161,42 @@ Status leastSquaresVerdict(const RobotDescription& robot, const RobotSolution& s
   return {Code::kConverged, share > kAgreement ? miss + " (least squares)" : ""};
 }
 
+// The lines at the pose that was found, under the tensions of the springs or under those given; and how the platform
+// resists, where they lead around pulleys or have dead lengths.
+std::vector<CableSolution> describeLines(const RobotDescription& robot, const ForwardRequest& request,
+                                         const RobotSolverOptions& options, Clock::time_point deadline,
+                                         const Pose& pose, const std::vector<double>& tensions,
+                                         std::vector<Spring>* given, LinearRobot* linear) {
+  std::vector<Spring>& springs = *given;
+  linear->start(pose);
+  std::vector<CableSolution> cables;
+  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
+    const CablePlane plane = cablePlane(robot.cables[i], pose);
+    const CableProperties& properties = robot.cables[i].properties;
+    const StraightRope rope = straightRope(properties, plane.x, plane.y);
+    const double tension = tensions.empty() ? springs[i].tension(rope.length()) : tensions[i];
+    springs[i].held = tensions.empty() ? springs[i].held : rope.wrapped;
+    const double half_weight = springs[i].halfWeight(properties);
+    SaggingCable line(properties, options.model, options.tolerance);
+    const bool started = options.model == Model::kStraightElastic && !beginsAtEyelet(properties) &&
+                         line.startBetween(request.lengths[i], plane.x, plane.y, {options.tolerance, deadline}).ok();
+    if (!started) {
+      line.start(request.lengths[i],
+                 {tension * rope.free.x() / rope.chord(), half_weight - tension * rope.free.y() / rope.chord()});
+      if (!beginsAtEyelet(properties)) line.linearise(false);
+    }
+    CableSolution cable = line.describe(plane.x, plane.y, options.profile_points);
+    if (!tensions.empty()) cable.closure_residual = std::abs(rope.length() - request.lengths[i]);
+    cables.push_back(cable);
+    const bool is_taut = tension > 0.0 && !beginsAtEyelet(properties);
+    const Eigen::Matrix2d stiffness =
+        is_taut ? Eigen::Matrix2d(forcesAtB(line) * cable.force_jacobian.leftCols<2>()) : Eigen::Matrix2d::Zero();
+    linear->add(plane, stiffness, cable.horizontal_force,
+                forceAtB(plane, cable.horizontal_force, cable.vertical_force_b));
+  }
+  return cables;
+}
+
 }  // namespace
 
 RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardRequest& request,
@@ -122,43 +205,41 @@ RobotSolution solveStraightForward(const RobotDescription& robot, const ForwardR
   solution.pose = request.seed.value_or(robot.home);
   std::vector<Spring> springs;
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    springs.push_back({robot.cables[i].properties.axial_stiffness / request.lengths[i], request.lengths[i]});
+    springs.push_back(springOf(robot.cables[i].properties, request.lengths[i]));
   }
   std::vector<double> tensions;
   SearchOutcome outcome;
   if (options.model == Model::kStraightElastic) {
-    outcome =
-        SpringPlatform(robot, &request.external_wrench).descend(springs, options.tolerance, deadline, &solution.pose);
+    outcome = solveElastic(robot, request, options.tolerance, deadline, &springs, &solution.pose);
   } else if (static_cast<int>(robot.cables.size()) > robot.freedoms()) {
     outcome = solveOverdetermined(robot, request, options.tolerance, deadline, &solution.pose, &tensions);
   } else {
     outcome = solveInextensible(robot, request, options.tolerance, deadline, &springs, &solution.pose);
   }
+  if (outcome.ok()) {
+    if (const Status reach = checkPulleys(robot, solution.pose); !reach.ok()) outcome.status = reach;
+  }
   if (!outcome.ok()) return failedRobot(options.model, outcome);
 
-  std::vector<CableSolution> cables;
-  for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CablePlane plane = cablePlane(robot.cables[i], solution.pose);
-    const double chord = std::hypot(plane.x, plane.y);
-    const double tension = tensions.empty() ? springs[i].tension(chord) : tensions[i];
-    const double half_weight = 0.5 * robot.cables[i].properties.weight * request.lengths[i];
-    SaggingCable line(robot.cables[i].properties, options.model, options.tolerance);
-    line.start(request.lengths[i], {tension * plane.x / chord, half_weight - tension * plane.y / chord});
-    CableSolution cable = line.describe(plane.x, plane.y, options.profile_points);
-    if (!tensions.empty()) cable.closure_residual = std::abs(chord - request.lengths[i]);
-    cables.push_back(cable);
-  }
+  LinearRobot linear(robot);
+  const std::vector<CableSolution> cables =
+      describeLines(robot, request, options, deadline, solution.pose, tensions, &springs, &linear);
   assemble(robot, request.external_wrench, cables, &solution);
   solution.report.iterations = outcome.iterations;
   Status verdict;
   if (tensions.empty()) {
-    const auto local = SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs);
-    if (options.compute_stiffness) solution.stiffness = local.stiffness;
+    const bool plain = std::all_of(robot.cables.begin(), robot.cables.end(),
+                                   [](const CableDescription& cable) { return beginsAtEyelet(cable.properties); });
+    const Eigen::Matrix<double, 6, 6> resists =
+        plain || options.model == Model::kStraight
+            ? SpringPlatform(robot, &request.external_wrench).at(solution.pose, springs).stiffness
+            : linear.stiffness();
+    if (options.compute_stiffness) solution.stiffness = resists;
     double stiffness = 0.0;
     for (const Spring& spring : springs) stiffness += spring.stiffness;
     verdict = verdictOf(robot, solution, request.external_wrench, options.tolerance,
                         SpringPlatform::kSettled * options.tolerance * robot.span() * stiffness);
-    if (verdict.ok()) verdict = describeStability(robot, platformStability(robot, local.stiffness));
+    if (verdict.ok()) verdict = describeStability(robot, platformStability(robot, resists));
   } else {
     verdict = leastSquaresVerdict(robot, solution, request.external_wrench, options.tolerance);
   }

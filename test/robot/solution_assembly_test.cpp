@@ -15,6 +15,7 @@ CableSolution pulled(double length, double x, double y, double h, double v) {
   cable.y = y;
   cable.horizontal_force = h;
   cable.vertical_force_a = v;
+  cable.free_length = length;
   cable.tension_a = std::hypot(h, v);
   return cable;
 }

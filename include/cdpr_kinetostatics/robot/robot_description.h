@@ -16,11 +16,18 @@ enum class PlatformType { kRigidBody, kPointMass };
 
 struct CableDescription {
   std::string name;
-  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();      // A_i [m], world
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();      // A_i [m], world; where the rope reaches its pulley or eyelet
   Eigen::Vector3d attachment = Eigen::Vector3d::Zero();  // b_i [m], platform frame
   CableProperties properties;
   double tension_min = 0.0;  // [N], of T_A
   double tension_max = 0.0;  // [N], of T_A
+
+  // What the cable's drive reports, as a position: unstrained length [m] = scale * position + offset.
+  double scale = 1.0;   // not 0 [m per unit of position]
+  double offset = 0.0;  // [m]
+
+  double lengthAt(double position) const { return scale * position + offset; }
+  double positionAt(double length) const { return (length - offset) / scale; }
 };
 
 struct RobotDescription {

@@ -13,7 +13,8 @@ namespace cdpr_kinetostatics {
 
 enum class Condition { kTaut = 0, kSlack = 1, kCompressed = 2 };
 
-// COMPRESSED when H < 0; else SLACK when L exceeds the chord by more than 5 % or T_A < tension_min [N].
+// COMPRESSED when H < 0; else SLACK when L exceeds the chord by more than 5 % or T_A < tension_min [N]. With a guide
+// pulley L and chord are those of the free part.
 Condition conditionOf(const CableSolution& cable, double tension_min);
 
 struct RobotSolverOptions {
@@ -50,7 +51,8 @@ struct CableResult {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();         // e_i, horizontal, from A_i to B_i, world
   Eigen::Vector3d force_on_platform = Eigen::Vector3d::Zero();  // [N], world
   CableSolution cable;                                          // in the cable's plane
-  std::vector<Eigen::Vector3d> profile;                         // world [m]; only if asked for
+  Eigen::Vector3d departure = Eigen::Vector3d::Zero();          // where the rope leaves its pulley, or A_i; world [m]
+  std::vector<Eigen::Vector3d> profile;                         // of the free part, world [m]; only if asked for
 };
 
 struct RobotSolution {

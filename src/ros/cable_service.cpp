@@ -27,6 +27,12 @@ struct Cable {
   double tension_min = 0.0;  // [N]
 };
 
+RopeFrom requestedSide(const std::string& rope_from) {
+  if (rope_from.empty() || rope_from == "below") return RopeFrom::kBelow;
+  if (rope_from == "above") return RopeFrom::kAbove;
+  throw RequestError(text("rope_from is '", rope_from, "': expected below or nothing, or above"));
+}
+
 Cable requestedCable(const SolveCable::Request& request, Model model, const RobotDescription& robot) {
   Cable cable;
   if (!request.cable_name.empty()) {
@@ -46,6 +52,11 @@ Cable requestedCable(const SolveCable::Request& request, Model model, const Robo
   if (request.axial_stiffness == 0.0) {
     cable.properties.axial_stiffness = std::numeric_limits<double>::infinity();
   }
+  cable.properties.pulley.radius = request.pulley_radius;
+  cable.properties.pulley.rope_from = requestedSide(request.rope_from);
+  cable.properties.dead_length = request.dead_length;
+  require(checkZeroOrBetween("pulley_radius", request.pulley_radius, kLeastPulleyRadius, kLargestPulleyRadius, "m"));
+  require(checkNotNegative("dead_length", request.dead_length, kLargestDeadLength, "m"));
   return cable;
 }
 
@@ -86,7 +97,7 @@ SolveCable::Response solve(const NodeParameters& parameters, const SolveCable::R
   response.report.estimated_error = solution.estimated_error;
   response.report.closure_residual = solution.closure_residual;
   response.report.moment_residual = solution.moment_residual;
-  response.cable = toMsg(solution, cable.name, cable.properties.weight, conditionOf(solution, cable.tension_min));
+  response.cable = toMsg(solution, cable.name, conditionOf(solution, cable.tension_min));
   response.x = solution.x;
   response.y = solution.y;
   requireFinite(response.report, response.cable, response.x, response.y);

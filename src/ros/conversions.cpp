@@ -15,6 +15,7 @@ CableState inOwnPlane(const CableSolution& solution) {
   state.model = static_cast<std::uint8_t>(solution.model);
   state.length = solution.length;
   state.strained_length = solution.strained_length;
+  state.wrap_angle = solution.wrap_angle;
   state.tension_a = solution.tension_a;
   state.tension_b = solution.tension_b;
   state.horizontal_force = solution.horizontal_force;
@@ -151,6 +152,7 @@ CableState toMsg(const CableResult& result) {
   state.name = result.name;
   state.condition = toMsg(result.condition);
   state.force_on_platform = toVector3(result.force_on_platform);
+  state.departure = toPoint(result.departure);
   state.profile.reserve(result.profile.size());
   for (const Eigen::Vector3d& point : result.profile) state.profile.push_back(toPoint(point));
   return state;
@@ -163,12 +165,12 @@ std::vector<CableState> toMsg(const std::vector<CableResult>& results) {
   return states;
 }
 
-CableState toMsg(const CableSolution& solution, const std::string& name, double weight, Condition condition) {
+CableState toMsg(const CableSolution& solution, const std::string& name, Condition condition) {
   CableState state = inOwnPlane(solution);
   state.name = name;
   state.condition = toMsg(condition);
-  state.force_on_platform =
-      toVector3({-solution.horizontal_force, 0.0, solution.vertical_force_a - weight * solution.length});
+  state.force_on_platform = toVector3({-solution.horizontal_force, 0.0, solution.vertical_force_b});
+  state.departure = toPoint({solution.departure_x, 0.0, solution.departure_y});
   state.profile.reserve(solution.profile.size());
   for (const ProfilePoint& point : solution.profile) state.profile.push_back(toPoint({point.x, 0.0, point.y}));
   return state;

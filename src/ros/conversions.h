@@ -41,8 +41,8 @@ SolveReport toMsg(const Status& status);
 CableState toMsg(const CableResult& result);
 std::vector<CableState> toMsg(const std::vector<CableResult>& results);
 
-// A cable alone, in its plane: (x, 0, y). Its weight is in N per unstrained metre.
-CableState toMsg(const CableSolution& solution, const std::string& name, double weight, Condition condition);
+// A cable alone, in its plane: (x, 0, y).
+CableState toMsg(const CableSolution& solution, const std::string& name, Condition condition);
 
 // The 36 numbers of the matrix, row by row.
 std::vector<double> toMsg(const Eigen::Matrix<double, 6, 6>& matrix);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cable/text.h"
+#include "robot/platform_statics.h"
 #include "ros/conversions.h"
 
 namespace cdpr_kinetostatics {
@@ -19,6 +20,10 @@ constexpr double kLegendHeight = 0.14;
 constexpr double kLoadLength = 0.12;  // of the arrow, if the load is the platform's weight alone
 
 constexpr std::size_t kLegendEntries = 5;
+
+// Straight pieces of what is round: of a rope on its pulley, and of a pulley.
+constexpr int kArcSteps = 12;
+constexpr int kCircleSteps = 32;
 
 std_msgs::ColorRGBA rgba(double red, double green, double blue, double alpha) {
   std_msgs::ColorRGBA color;
@@ -99,9 +104,48 @@ Eigen::Vector3d middleOf(const RobotDescription& robot) {
   return 0.5 * (low + high);
 }
 
+// The guide pulley of a cable: a circle in the cable's plane that the rope reaches at the anchor.
+struct PulleyCircle {
+  Eigen::Vector3d centre, to_anchor, up;  // both vectors are radii, the second where the rope gets to after a quarter
+
+  // Turned from the anchor in the rope's sense by so much [rad].
+  geometry_msgs::Point at(double angle) const {
+    return toPoint(centre + std::cos(angle) * to_anchor + std::sin(angle) * up);
+  }
+};
+
+PulleyCircle pulleyOf(const CableDescription& cable, const Pose& pose) {
+  const GuidePulley& pulley = cable.properties.pulley;
+  const Eigen::Vector3d inwards = pulley.radius * cablePlane(cable, pose).direction;
+  const double sense = pulley.rope_from == RopeFrom::kBelow ? 1.0 : -1.0;
+  return {cable.anchor + inwards, -inwards, sense * pulley.radius * Eigen::Vector3d::UnitZ()};
+}
+
+// From the anchor around the pulley, and freely on to the platform.
 std::vector<geometry_msgs::Point> lineOf(const CableDescription& cable, const CableState& state, const Pose& pose) {
-  if (state.profile.size() >= 2) return state.profile;
-  return {toPoint(cable.anchor), toPoint(pose.transform(cable.attachment))};
+  std::vector<geometry_msgs::Point> line;
+  if (cable.properties.pulley.radius > 0.0) {
+    const PulleyCircle circle = pulleyOf(cable, pose);
+    for (int k = 0; k < kArcSteps; ++k) line.push_back(circle.at(state.wrap_angle * k / kArcSteps));
+  }
+  if (state.profile.size() >= 2) {
+    line.insert(line.end(), state.profile.begin(), state.profile.end());
+  } else {
+    line.push_back(state.departure);
+    line.push_back(toPoint(pose.transform(cable.attachment)));
+  }
+  return line;
+}
+
+void addPulley(const CableDescription& cable, const std_msgs::Header& header, std::size_t id, const Pose& pose,
+               double width, visualization_msgs::MarkerArray* markers) {
+  if (cable.properties.pulley.radius == 0.0) return;
+  Marker circle = marker(header, "pulleys", id, Marker::LINE_STRIP);
+  circle.scale.x = width;
+  circle.color = grey();
+  const PulleyCircle pulley = pulleyOf(cable, pose);
+  for (int k = 0; k <= kCircleSteps; ++k) circle.points.push_back(pulley.at(2.0 * M_PI * k / kCircleSteps));
+  markers->markers.push_back(circle);
 }
 
 // A bar of all colours and what they mean, above the middle of the frame.
@@ -213,6 +257,7 @@ visualization_msgs::MarkerArray cableMarkers(const RobotDescription& robot, cons
     line.scale.x = kLineWidth * robot.span();
     line.color = colourOf(cable, outlier, scale);
     markers.markers.push_back(line);
+    addPulley(robot.cables[i], state.header, i, pose, 0.6 * line.scale.x, &markers);
 
     // Cables often come in pairs: labels of neighbours go to different places along them.
     const double height = 0.9 * kTextHeight * robot.span();

@@ -30,7 +30,8 @@ bool allFinite(const CableState& state) {
                  state.vertical_force_a, state.angle_a, state.angle_b, force.x, force.y, force.z, state.sag,
                  state.max_moment, state.max_shear, state.estimated_error});
   const auto finite_point = [](const geometry_msgs::Point& point) { return allFinite({point.x, point.y, point.z}); };
-  return numbers && std::all_of(state.profile.begin(), state.profile.end(), finite_point);
+  return numbers && allFinite(state.wrap_angle) && finite_point(state.departure) &&
+         std::all_of(state.profile.begin(), state.profile.end(), finite_point);
 }
 
 bool allFinite(const std::vector<CableState>& states) {

@@ -54,16 +54,24 @@ TEST(Conversions, ACableAlonePullsItsEndTowardsItsStart) {
   solution.length = 10.0;
   solution.horizontal_force = 30.0;
   solution.vertical_force_a = 12.0;
+  solution.vertical_force_b = 12.0 - 2.0 * 10.0;  // of 2 N/m
+  solution.wrap_angle = 1.25;
+  solution.departure_x = 0.03;
+  solution.departure_y = 0.04;
   solution.profile.resize(2);
   solution.profile[1].x = 8.0;
   solution.profile[1].y = -1.0;
-  const CableState state = toMsg(solution, "rope", 2.0, Condition::kSlack);
+  const CableState state = toMsg(solution, "rope", Condition::kSlack);
   EXPECT_EQ(state.name, "rope");
   EXPECT_EQ(state.condition, CableState::SLACK);
   // At B: (-H, V - q L).
   EXPECT_EQ(state.force_on_platform.x, -30.0);
   EXPECT_EQ(state.force_on_platform.y, 0.0);
   EXPECT_EQ(state.force_on_platform.z, 12.0 - 2.0 * 10.0);
+  EXPECT_EQ(state.wrap_angle, 1.25);
+  EXPECT_EQ(state.departure.x, 0.03);
+  EXPECT_EQ(state.departure.y, 0.0);
+  EXPECT_EQ(state.departure.z, 0.04);
   EXPECT_EQ(state.profile[1].x, 8.0);
   EXPECT_EQ(state.profile[1].z, -1.0);
 }

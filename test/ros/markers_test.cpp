@@ -128,5 +128,45 @@ TEST_P(Markers, OutlineIsThatOfThePlatform) {
 INSTANTIATE_TEST_SUITE_P(Robots, Markers, testing::Values("cogiro", "scampi", "fast", "paper_point_mass"),
                          [](const auto& robot) { return robot.param; });
 
+// Pulleys are drawn where the rope is wrapped around them, the rope from where it reaches them.
+TEST(PulleyMarkers, ShowPulleyWrappedAndFreeRope) {
+  RobotDescription robot = loadRobotFile(std::string(ROBOT_DIR) + "/cogiro.yaml").robot;
+  robot.cables[1].properties.pulley = {0.2, RopeFrom::kAbove};
+  InverseRequest request;
+  request.pose = robot.home;
+  RobotSolverOptions options;
+  options.model = Model::kCatenary;
+  options.profile_points = 11;
+  options.timeout = std::chrono::duration<double>(10.0);
+  const RobotSolution solution = solveInverse(robot, request, options);
+  ASSERT_TRUE(solution.report.status.ok()) << solution.report.status.message;
+  KinetostaticState state;
+  state.pose.pose = toMsg(solution.pose);
+  state.cables = toMsg(solution.cables);
+  state.outlier.assign(robot.cables.size(), 0);
+  int circles = 0;
+  for (const Marker& m : cableMarkers(robot, state).markers) {
+    const auto at = [](const geometry_msgs::Point& p) { return Eigen::Vector3d(p.x, p.y, p.z); };
+    if (m.ns == "pulleys") {
+      ++circles;
+      EXPECT_EQ(m.id, 1);
+      EXPECT_LT((at(m.points[0]) - robot.cables[1].anchor).norm(), 1e-12);
+      for (const auto& p : m.points) {
+        const Eigen::Vector3d centre = robot.cables[1].anchor + 0.2 * solution.cables[1].direction;
+        EXPECT_NEAR((at(p) - centre).norm(), 0.2, 1e-12);
+      }
+    }
+    if (m.ns == "cables" && m.id == 1) {
+      ASSERT_EQ(m.points.size(), 12u + 11u);
+      EXPECT_LT((at(m.points[0]) - robot.cables[1].anchor).norm(), 1e-12);
+      EXPECT_LT((at(m.points[12]) - solution.cables[1].departure).norm(), 1e-12);
+      // The wrapped part goes on into the free one without a corner: steps of the arc alone.
+      EXPECT_LT((at(m.points[11]) - at(m.points[12])).norm(), 1.01 * 0.2 * state.cables[1].wrap_angle / 12);
+      EXPECT_LT(at(m.points[6]).z(), robot.cables[1].anchor.z()) << "under the bottom";
+    }
+  }
+  EXPECT_EQ(circles, 1);
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

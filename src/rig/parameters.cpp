@@ -51,6 +51,7 @@ RigSensors readSensors(ParameterReader& reader, const RobotDescription& robot, s
   sensors.length_noise = reader.number("length_noise", 0.0, 0.0, 1e3, " m");
   sensors.tension_noise = reader.number("tension_noise", 0.0, 0.0, 1e9, " N");
   sensors.length_bias = reader.number("length_bias", 0.0, -1e3, 1e3, " m");
+  sensors.offset_error = reader.number("offset_error", 0.0, 0.0, 1e3, " m");
   sensors.tension_bias = reader.number("tension_bias", 0.0, -1e9, 1e9, " N");
   sensors.length_resolution = reader.number("length_resolution", 0.0, 0.0, 1e3, " m");
   sensors.tension_resolution = reader.number("tension_resolution", 0.0, 0.0, 1e9, " N");

@@ -29,6 +29,7 @@ struct RigSensors {
   double length_noise = 0.0;        // standard deviation [m]
   double tension_noise = 0.0;       // standard deviation [N]
   double length_bias = 0.0;         // of all cables [m]
+  double offset_error = 0.0;        // standard deviation of each drum's unknown zero, drawn once [m]
   double tension_bias = 0.0;        // of all cables [N]
   double length_resolution = 0.0;   // [m], 0: none
   double tension_resolution = 0.0;  // [N], 0: none

@@ -1,4 +1,5 @@
 // What the rig's sensors say of true lengths and tensions: noise, bias, steps, and faults, the same for the same seed.
+// Drives report positions; what is wrong with a length is in metres.
 #pragma once
 
 #include <sensor_msgs/JointState.h>
@@ -27,6 +28,7 @@ class RigMeasurements {
   const RobotDescription& robot_;
   const RigSensors& sensors_;
   std::mt19937_64 random_;
+  std::vector<double> offset_errors_;         // per cable [m]
   std::vector<std::optional<double>> stuck_;  // per fault
 };
 

@@ -39,7 +39,9 @@ struct MeasurementInput::Problems {
   }
 };
 
-MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age) : robot_(robot), max_age_(max_age) {}
+MeasurementInput::MeasurementInput(const RobotDescription& robot, double max_age) : robot_(robot), max_age_(max_age) {
+  for (const CableDescription& cable : robot.cables) offsets_.push_back(cable.offset);
+}
 
 void MeasurementInput::reset() {
   last_stamp_ = last_now_ = ros::Time();
@@ -114,7 +116,7 @@ void MeasurementInput::readCables(const sensor_msgs::JointState& message, CableM
       continue;
     }
     const auto i = static_cast<std::size_t>(found - robot_.cables.begin());
-    const double length = message.position[k];
+    const double length = found->scale * message.position[k] + offsets_[i];
     cables->lengths[i] = read(length, checkLength({"position", k, found->name}, length), &problems);
     if (message.effort.empty()) continue;
     const double tension = message.effort[k];

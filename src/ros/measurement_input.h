@@ -2,6 +2,8 @@
 //
 // Every message is either used, or refused and counted with the reason. A number that is missing (NaN, no entry for
 // that cable, no effort) or cannot be (a length that is not positive) leaves that measurement out, not the message.
+//
+// Drives report positions in units of their own: lengths are scale * position + offset.
 #pragma once
 
 #include <ros/time.h>
@@ -49,6 +51,10 @@ class MeasurementInput {
   // The measurement, or nothing if the message is refused.
   std::optional<Measurement> check(const sensor_msgs::JointState& message, const ros::Time& now);
 
+  // What a drive's position of 0 means, in the robot's order [m]: at first the robot's, later what homing finds.
+  const std::vector<double>& offsets() const { return offsets_; }
+  void setOffsets(const std::vector<double>& offsets) { offsets_ = offsets; }
+
   // Forgets the stamps of earlier messages, but not the counts.
   void reset();
 
@@ -69,6 +75,7 @@ class MeasurementInput {
 
   const RobotDescription& robot_;
   const double max_age_;  // [s]
+  std::vector<double> offsets_;
   InputCounts counts_;
   std::string last_problem_;
   ros::Time last_stamp_, last_now_;

@@ -203,5 +203,45 @@ TEST_F(Sensors, TensionFaultsNeedNoTensions) {
   EXPECT_EQ(message->position, truth_.lengths);
 }
 
+// The node that knows scale and offset gets the lengths back; faults are in metres.
+TEST_F(Sensors, DrivesReportPositions) {
+  RobotDescription robot = robot_;
+  robot.cables[2].scale = -0.002;
+  robot.cables[2].offset = 15.0;
+  RigSensors sensors = withFault(RigFault::Kind::kLengthOffset, 0.3);
+  const auto before = RigMeasurements(robot, sensors).measure(truth_, 0.0);
+  const auto during = RigMeasurements(robot, sensors).measure(truth_, 1.5);
+  ASSERT_TRUE(before && during);
+  EXPECT_NEAR(robot.cables[2].lengthAt(before->position[2]), truth_.lengths[2], 1e-12);
+  EXPECT_NEAR(robot.cables[2].lengthAt(during->position[2]), truth_.lengths[2] + 0.3, 1e-12);
+  EXPECT_EQ(before->position[3], truth_.lengths[3]);
+}
+
+// Each drum's zero is drawn once, and leaves all other numbers as they were.
+TEST_F(Sensors, UnknownZerosAreDrawnOnce) {
+  RigSensors sensors;
+  sensors.length_noise = 1e-3;
+  RigSensors with_error = sensors;
+  with_error.offset_error = 0.02;
+  RigMeasurements known(robot_, sensors);
+  RigMeasurements unknown(robot_, with_error);
+  std::vector<double> errors;
+  for (int k = 0; k < 5; ++k) {
+    const auto right = known.measure(truth_, 0.1 * k);
+    const auto wrong = unknown.measure(truth_, 0.1 * k);
+    for (std::size_t i = 0; i < robot_.cables.size(); ++i) {
+      const double error = wrong->position[i] - right->position[i];
+      if (k == 0) errors.push_back(error);
+      EXPECT_NEAR(error, errors[i], 1e-12);
+    }
+    EXPECT_EQ(right->effort, wrong->effort);
+  }
+  EXPECT_NE(errors[0], errors[1]);
+  double squares = 0.0;
+  for (const double error : errors) squares += error * error;
+  EXPECT_GT(std::sqrt(squares / 8.0), 0.005);
+  EXPECT_LT(std::sqrt(squares / 8.0), 0.05);
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -227,5 +227,30 @@ TEST(MeasurementQueue, OldestGiveWayAndAreCounted) {
   EXPECT_FALSE(queue.pop());
 }
 
+// Positions are what drives count; a length that cannot be is one after scale and offset.
+TEST_F(Input, PositionsBecomeLengthsByScaleAndOffset) {
+  robot_.cables[2].scale = -0.002;
+  robot_.cables[2].offset = 15.0;
+  MeasurementInput input(robot_, 0.5);
+  sensor_msgs::JointState m = message();
+  m.position[2] = 1500.0;
+  const auto measurement = input.check(m, m.header.stamp);
+  ASSERT_TRUE(measurement);
+  EXPECT_DOUBLE_EQ(*measurement->cables.lengths[2], 12.0);
+  EXPECT_EQ(*measurement->cables.lengths[3], 13.0);
+  m = message(1.0);
+  m.position[2] = 7500.0;
+  EXPECT_FALSE(input.check(m, m.header.stamp)->cables.lengths[2]) << "0 m";
+  EXPECT_EQ(input.counts().impossible, 1u);
+}
+
+TEST_F(Input, OffsetsThatAreSetHoldFromThenOn) {
+  std::vector<double> offsets = input_.offsets();
+  EXPECT_EQ(offsets, std::vector<double>(robot_.cables.size(), 0.0));
+  offsets[4] = 0.25;
+  input_.setOffsets(offsets);
+  EXPECT_DOUBLE_EQ(*check(message())->cables.lengths[4], 14.25);
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

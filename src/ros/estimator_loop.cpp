@@ -1,6 +1,7 @@
 #include "ros/estimator_loop.h"
 
 #include <ros/console.h>
+#include <ros/init.h>
 
 #include "ros/estimate_message.h"
 #include "ros/service_reply.h"
@@ -18,6 +19,7 @@ EstimatorLoop::EstimatorLoop(const ros::NodeHandle& handle, const NodeParameters
     : parameters_(parameters),
       output_(handle, parameters),
       input_(parameters.robot, parameters.max_age),
+      collector_(parameters.robot.cables.size()),
       queue_(static_cast<std::size_t>(parameters.queue_size)),
       estimator_(parameters.robot, parameters.estimator),
       receiver_(1, &callbacks_) {
@@ -42,6 +44,7 @@ void EstimatorLoop::receive(const sensor_msgs::JointStateConstPtr& message) {
   const std::uint64_t refused = input_.counts().refused();
   if (auto measurement = input_.check(*message, ros::Time::now())) {
     if (measurement->reset_first) ROS_WARN("cable_states: time went backwards; the estimator starts anew");
+    collector_.add(measurement->cables);
     queue_.push(std::move(*measurement));
   }
   if (input_.counts().refused() > refused) {
@@ -85,6 +88,21 @@ void EstimatorLoop::setPose(const Pose& seed) {
   queue_.clear();
   const std::lock_guard<std::mutex> estimator_lock(estimator_mutex_);
   estimator_.setPose(seed);
+}
+
+RestingSamples EstimatorLoop::collect(std::size_t most, std::chrono::duration<double> window) {
+  return collector_.collect(most, window, [] { return ros::ok(); });
+}
+
+std::vector<double> EstimatorLoop::correctOffsets(const std::vector<double>& corrections, const Pose& seed) {
+  const std::lock_guard<std::mutex> input_lock(input_mutex_);
+  std::vector<double> offsets = input_.offsets();
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] += corrections[i];
+  input_.setOffsets(offsets);
+  queue_.clear();
+  const std::lock_guard<std::mutex> estimator_lock(estimator_mutex_);
+  estimator_.setPose(seed);
+  return offsets;
 }
 
 EstimatorLoop::InputStatus EstimatorLoop::inputStatus() const {

@@ -8,6 +8,7 @@
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
 
+#include <chrono>
 #include <mutex>
 #include <thread>
 
@@ -17,6 +18,7 @@
 #include "ros/measurement_input.h"
 #include "ros/measurement_queue.h"
 #include "ros/parameters.h"
+#include "ros/sample_collector.h"
 
 namespace cdpr_kinetostatics {
 
@@ -32,6 +34,14 @@ class EstimatorLoop {
   // or from the seed.
   void reset();
   void setPose(const Pose& seed);
+
+  // The next measurements, at most so many, until the time is up. The caller waits for them in a thread of its own:
+  // receiving and estimating go on. What is missing shows in their number.
+  RestingSamples collect(std::size_t most, std::chrono::duration<double> window);
+
+  // Adds corrections to the offsets of the lengths that arrive from now on [m], and starts anew from the pose. Returns
+  // the offsets.
+  std::vector<double> correctOffsets(const std::vector<double>& corrections, const Pose& seed);
 
   struct InputStatus {
     std::string topic;
@@ -55,6 +65,8 @@ class EstimatorLoop {
   mutable std::mutex input_mutex_;  // guards input_ and last_arrival_
   MeasurementInput input_;
   ros::WallTime last_arrival_;
+
+  SampleCollector collector_;
 
   MeasurementQueue queue_;
 

@@ -46,6 +46,7 @@ KinetostaticsNode::KinetostaticsNode(const ros::NodeHandle& handle, const ros::N
     : private_handle_(private_handle),
       parameters_(fromServer(private_handle)),
       loop_(handle, parameters_),
+      home_(loop_, parameters_),
       diagnostics_(private_handle, loop_, parameters_),
       clock_watch_(private_handle) {
   using Forward = ForwardKinetostatics;
@@ -59,6 +60,7 @@ KinetostaticsNode::KinetostaticsNode(const ros::NodeHandle& handle, const ros::N
       advertise<Inverse>(own, "inverse_kinetostatics", [&p](const Inverse::Request& r) { return serveInverse(p, r); }),
       advertise<SolveCable>(own, "solve_cable", [&p](const SolveCable::Request& r) { return serveCable(p, r); }),
       advertise<SetPose>(own, "set_pose", [&p, &loop](const SetPose::Request& r) { return serveSetPose(loop, p, r); }),
+      advertise<Home>(own, "home", [this](const Home::Request& r) { return home_.serve(r); }),
       advertise<Reset>(own, "reset", [&loop](const Reset::Request&) { return serveReset(loop); }),
   };
 

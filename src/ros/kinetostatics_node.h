@@ -9,6 +9,7 @@
 #include "ros/clock_watch.h"
 #include "ros/diagnostics.h"
 #include "ros/estimator_loop.h"
+#include "ros/home_service.h"
 #include "ros/parameters.h"
 
 namespace cdpr_kinetostatics {
@@ -24,6 +25,7 @@ class KinetostaticsNode {
   ros::NodeHandle private_handle_;
   NodeParameters parameters_;
   EstimatorLoop loop_;
+  HomeService home_;
   Diagnostics diagnostics_;
   ClockWatch clock_watch_;
   std::vector<ros::ServiceServer> servers_;

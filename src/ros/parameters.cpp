@@ -1,10 +1,12 @@
 #include "ros/parameters.h"
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "cable/input_limits.h"
 #include "cable/text.h"
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
+#include "robot/offsets_file.h"
 #include "ros/conversions.h"
 #include "ros/parameter_reader.h"
 
@@ -64,6 +66,29 @@ Model readModel(ParameterReader& reader, Model fallback) {
   return *model;
 }
 
+namespace {
+
+// Until something is written there, the offsets are those of the robot's description.
+void readOffsetsFile(ParameterReader& reader, NodeParameters* parameters) {
+  if (!reader.has("offsets_file")) return;
+  const std::string path = parameters->offsets_file = reader.word("offsets_file", "");
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  std::error_code unreadable;
+  if (!std::filesystem::is_directory(folder, unreadable)) {
+    reader.refuse("offsets_file", text("a file in a folder that exists, ", folder.string(), " does not"));
+  }
+  if (!std::filesystem::exists(path, unreadable)) return;
+  RobotDescription& robot = parameters->robot;
+  try {
+    const std::vector<double> offsets = readOffsets(path, robot);
+    for (std::size_t i = 0; i < offsets.size(); ++i) robot.cables[i].offset = offsets[i];
+  } catch (const std::invalid_argument& problem) {
+    throw std::invalid_argument(text("parameter ~offsets_file: ", problem.what()));
+  }
+}
+
+}  // namespace
+
 LoadedParameters loadParameters(const XmlRpc::XmlRpcValue& private_parameters) {
   LoadedParameters loaded;
   NodeParameters& parameters = loaded.parameters;
@@ -75,6 +100,7 @@ LoadedParameters loadParameters(const XmlRpc::XmlRpcValue& private_parameters) {
   parameters.timeout = reader.number("timeout", parameters.timeout, kShortestTimeout, kLongestTimeout, " s");
 
   readEstimator(reader, &parameters);
+  readOffsetsFile(reader, &parameters);
   parameters.max_age = reader.number("max_age", parameters.max_age, 1e-3, 3600.0, " s");
   parameters.queue_size = reader.integer("queue_size", parameters.queue_size, 1, 100000);
   parameters.base_frame = reader.word("base_frame", parameters.base_frame);

@@ -33,6 +33,7 @@ struct NodeParameters {
   // ~length_stddev, ~tension_stddev, ~known_load, ~load_stddev, ~outlier_threshold, ~profile_points; the rest
   // is that of the services.
   EstimatorOptions estimator;
+  std::string offsets_file;                 // ~offsets_file, empty: none; its offsets are in robot
   double max_age = 0.5;                     // ~max_age, of a measurement when it arrives [s]
   int queue_size = 10;                      // ~queue_size, measurements that may wait for the estimator
   std::string base_frame = "world";         // ~base_frame

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 
 #include "cdpr_kinetostatics/robot/robot_description_yaml.h"
+#include "robot/offsets_file.h"
 #include "ros/conversions.h"
 #include "yaml_parameters.h"
 
@@ -174,6 +176,24 @@ TEST(ToYaml, KeepsEveryDigit) {
   EXPECT_EQ(toYaml(XmlRpcValue(value)).as<double>(), value);
   EXPECT_TRUE(std::isnan(toYaml(XmlRpcValue(std::nan(""))).as<double>()));
   EXPECT_THROW(toYaml(XmlRpcValue()), std::invalid_argument);
+}
+
+// Offsets that homing has written take the place of the description's; before, those hold.
+TEST(OffsetsParameter, AreReadAtTheStart) {
+  const std::string path = testing::TempDir() + "parameters_test_offsets.yaml";
+  std::remove(path.c_str());
+  XmlRpc::XmlRpcValue values;
+  values["robot"] = robotParameter("cogiro");
+  values["offsets_file"] = path;
+  EXPECT_EQ(loadParameters(values).parameters.robot.cables[0].offset, 0.0);
+  const RobotDescription robot = loadRobotFile(ROBOT_DIR "/cogiro.yaml").robot;
+  writeOffsets(path, robot, {0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08});
+  EXPECT_EQ(loadParameters(values).parameters.robot.cables[7].offset, 0.08);
+  values["robot"] = robotParameter("ipanema3");
+  EXPECT_THROW(loadParameters(values), std::invalid_argument) << "another robot's";
+  values["offsets_file"] = "/no/such/folder/offsets.yaml";
+  EXPECT_THROW(loadParameters(values), std::invalid_argument);
+  std::remove(path.c_str());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/platform_statics.h"
+#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cdpr_kinetostatics/robot/forward.h"
 #include "cdpr_kinetostatics/robot/forward_follower.h"
 #include "cdpr_kinetostatics/robot/inverse_follower.h"
 #include "pulley_robots.h"
@@ -45,6 +46,8 @@ class Contender {
     if (timed) times.inverse.push_back(now() - begin);
   }
 
+  const RobotDescription& robot() const { return robot_; }
+
   Times times;
 
  private:
@@ -68,6 +71,12 @@ void measure(Model model, int steps, BenchmarkReport* report) {
     plain.step(pose, i > 0);
     pulleys.step(pose, i > 0);
   }
+  // Where the platform would be by its lengths if the pulleys and dead lengths were left out of its description.
+  ForwardRequest ignorant;
+  ignorant.lengths = lengthsOf(solveInverse(pulleys.robot(), requestFor(robot, robot.home), patient(model)));
+  const RobotSolution elsewhere = solveForward(robot, ignorant, patient(model));
+  report->figure(1, std::string(modelName(model)) + ", pulleys left out: the platform is off by",
+                 1e3 * (elsewhere.pose.position - robot.home.position).norm(), "mm");
   const auto add = [&](const std::string& what, const std::vector<double>& with, const std::vector<double>& without) {
     const std::string name = std::string(modelName(model)) + " " + what;
     report->atMost(1, name + ", with pulleys / without", quantile(with, 0.5) / quantile(without, 0.5), kTarget);

@@ -53,6 +53,8 @@ class FuzzedInput {
     properties.axial_stiffness = magnitude(1e2, 1e8);
     properties.bending_stiffness = flag() ? 0.0 : magnitude(1e-6, 1e4);
     properties.weight = flag() ? magnitude(1e-3, 1e2) : number(0.0, 10.0);
+    if (flag()) properties.pulley = {magnitude(1e-3, 0.3), flag() ? RopeFrom::kBelow : RopeFrom::kAbove};
+    if (flag()) properties.dead_length = number(0.0, 20.0);
     return properties;
   }
 

@@ -82,10 +82,12 @@ void requireClosed(const CableProperties& cable, const CableSolution& solution) 
   require(solution.moment_residual <= kMiss * (solution.max_moment + forces * solution.length),
           "CONVERGED, but the moment jumps", status);
   Eigen::Vector2d end(solution.x, solution.y);
-  if (solution.model == Model::kCatenary || solution.model == Model::kCatenaryInextensible) {
+  const bool catenary = solution.model == Model::kCatenary || solution.model == Model::kCatenaryInextensible;
+  const bool from_eyelet = cable.pulley.radius == 0.0 && cable.dead_length == 0.0;
+  if (catenary && from_eyelet) {
     if (forces == 0.0) return;
     end = catenaryEnd(cable, solution);
-  } else if (isBending(solution.model) && solution.horizontal_force > 0.0) {
+  } else if ((catenary || isBending(solution.model)) && solution.horizontal_force > 0.0) {
     CableSolverOptions options;
     options.model = solution.model;
     const CableSolution again =
@@ -116,7 +118,7 @@ void requireHonest(const RobotDescription& robot, const Wrench& external, const 
   std::vector<PlaneForces> forces;
   double pull = robot.weight() + external.norm();
   for (const CableResult& cable : solution.cables) {
-    forces.push_back({cable.cable.horizontal_force, cable.cable.vertical_force_a, cable.cable.length});
+    forces.push_back({cable.cable.horizontal_force, cable.cable.vertical_force_a, cable.cable.free_length});
     pull += cable.cable.tension_a + cable.cable.tension_b;
     if (report.model != Model::kStraight) requireClosed(robot.cables[forces.size() - 1].properties, cable.cable);
   }

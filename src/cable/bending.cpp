@@ -193,7 +193,7 @@ SolveOutcome solveBendingForces(const CableProperties& cable, double length, dou
   if (hasPulley(cable)) {  // which holds no rope that pushes
     outcome.then(continueFromCatenary(cable, length, x, y, limits, shooting));
     const bool lost = outcome.status.code == Code::kNotConverged || outcome.status.code == Code::kWrongBranch;
-    if (lost && isTooStiff(cable, shooting->forces())) outcome.status = liftsOff(cable.pulley);
+    if (lost && isTooStiff(cable, shooting->forces())) outcome.status = mayLiftOff(cable.pulley);
     return outcome;
   }
   const double compression = std::isfinite(cable.axial_stiffness)

@@ -226,7 +226,7 @@ SolveOutcome searchPosition(const CableProperties& cable, double length, const F
     if (outcome.status.code != Code::kNotConverged) return outcome;
   }
   if (hasPulley(cable)) {  // which holds no rope that pushes
-    if (isTooStiff(cable, forces)) outcome.status = liftsOff(cable.pulley);
+    if (isTooStiff(cable, forces)) outcome.status = mayLiftOff(cable.pulley);
     return outcome;
   }
   outcome.then(searchEndOfForces(cable, length, forces, limits, shooting));

@@ -60,6 +60,11 @@ std::optional<TensionSample> refine(const TensionCurve& curve, TensionSample a, 
 // Tensions that differ by less are the same [N].
 double accepted(const LengthSearch& search) { return 0.01 * search.tolerance * search.tension; }
 
+// Whether no root is shorter than the first sample, or one is known already.
+bool startsTaut(const TensionSample& first, const LengthSearch& search) {
+  return search.near_hint || first.tension >= search.tension - accepted(search);
+}
+
 }  // namespace
 
 bool isString(const CableProperties& cable, double x, double y, double tension_a, double length_hint) {
@@ -104,7 +109,7 @@ LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
     finest = std::max(finest, 0.25 * reach);
   }
   std::optional<TensionSample> sample = curve(search.shortest);
-  if (!sample) return {std::nullopt, 0.0, false};
+  if (!sample || !startsTaut(*sample, search)) return {std::nullopt, 0.0, false};
   found.least_tension = sample->tension;
 
   const auto excess = [&](const TensionSample& s) { return std::pair{s.tension - search.tension, s.slope}; };

@@ -156,7 +156,10 @@ ForcesAtA PulleyCable::roughForces(double length, double x, double y) const {
 }
 
 SolveOutcome PulleyCable::closeEnd(double x, double y) {
-  SolveOutcome outcome{{Code::kNotConverged, "the forces of the cable on its guide pulley were not found"}};
+  SolveOutcome outcome{
+      {Code::kNotConverged,
+       "the forces of the cable on its guide pulley were not found: another model may find them, BENDING for "
+       "a rope that is stiff for its pulley"}};
   if (!linearise(false)) return outcome;
   double last_step = std::numeric_limits<double>::infinity();
   while (outcome.iterations < kMostIterations) {

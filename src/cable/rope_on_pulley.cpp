@@ -143,4 +143,11 @@ bool isTooStiff(const CableProperties& cable, const ForcesAtA& forces) {
   return hasPulley(cable) && std::abs(moment) > 2.0 * kNearlyTooStiff * forces.tension() * cable.pulley.radius;
 }
 
+Status mayLiftOff(const GuidePulley& pulley) {
+  return {Code::kNotConverged,
+          text("no shape was found in which the rope lies on its guide pulley of radius ", pulley.radius,
+               " m: it is so slack or so stiff that it is near to where it would lift off, or "
+               "beyond; give it more tension, or describe an eyelet (radius 0)")};
+}
+
 }  // namespace cdpr_kinetostatics

@@ -70,8 +70,10 @@ Status checkWrap(const GuidePulley& pulley, double alpha);
 // bending stiffness the rope has no shear where it leaves; there the curvature is what counts.
 Status checkContact(const CableProperties& cable, const ForcesAtA& forces, double alpha);
 
-// INFEASIBLE: the pulley cannot hold the rope; and whether that is about to happen under these forces.
+// INFEASIBLE: the pulley cannot hold the rope.
 Status liftsOff(const GuidePulley& pulley);
+// Whether that is about to happen under these forces; and what is said where nothing was found then (NOT_CONVERGED).
 bool isTooStiff(const CableProperties& cable, const ForcesAtA& forces);
+Status mayLiftOff(const GuidePulley& pulley);
 
 }  // namespace cdpr_kinetostatics

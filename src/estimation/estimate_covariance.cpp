@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "robot/platform_statics.h"
-#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -16,6 +15,8 @@ constexpr double kUnobservable = 1.0;
 // A rival weighs at least this share of the best answer. So the answer is within two standard deviations of it (three,
 // if there are many), also where noise speaks against the truth.
 constexpr double kLeastWeight = 1.0 / 3.0;
+// More would say no more; the likelihood itself may not fit into a double.
+constexpr double kMostWeight = 1e6;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -75,15 +76,16 @@ Wrench difference(const Pose& from, const Pose& to) {
 
 }  // namespace
 
-Wrench balancingLoad(const RobotDescription& robot, const RobotForces& at) {
+Wrench balancingLoad(const RobotDescription& robot, const Adjusted& adjusted) {
+  const Pose& pose = adjusted.unknowns.pose;
   Wrench cables = Wrench::Zero();
   for (std::size_t i = 0; i < robot.cables.size(); ++i) {
-    const CablePlane plane = cablePlane(robot.cables[i], at.pose);
-    const CableProperties& properties = robot.cables[i].properties;
-    const double weight = properties.weight * freeLengthUnder(properties, at.lengths[i], at.forces[i]);
-    cables += wrenchAt(plane.arm, forceOnPlatform(plane, at.forces[i].horizontal, at.forces[i].vertical, weight));
+    const SaggingCable& cable = adjusted.cables[i];
+    const CablePlane plane = cablePlane(robot.cables[i], pose);
+    const double weight = cable.verticalForceA() - cable.verticalForceB();
+    cables += wrenchAt(plane.arm, forceOnPlatform(plane, cable.horizontalForce(), cable.verticalForceA(), weight));
   }
-  Wrench load = -cables - loadWrench(robot, at.pose, Wrench::Zero());
+  Wrench load = -cables - loadWrench(robot, pose, Wrench::Zero());
   if (robot.type == PlatformType::kPointMass) load.tail<3>().setZero();
   return load;
 }
@@ -92,14 +94,13 @@ Wrench balancingLoad(const RobotDescription& robot, const RobotForces& at) {
 void fillCovariances(const RobotDescription& robot, const Candidate& best, const std::vector<Candidate>& rivals,
                      Estimate* estimate) {
   Certainty certainty = certaintyOf(robot, best.adjusted);
-  const RobotForces& at = best.adjusted.unknowns;
   double weights = 1.0;
   for (const Candidate& rival : rivals) {
     const double more = rival.adjusted.weighted_squares - best.adjusted.weighted_squares;
-    const double weight = std::max(std::exp(-0.5 * more), kLeastWeight);
+    const double weight = std::clamp(std::exp(-0.5 * more), kLeastWeight, kMostWeight);
     const Certainty other = certaintyOf(robot, rival.adjusted);
-    const Wrench moved = difference(at.pose, rival.adjusted.unknowns.pose);
-    const Wrench load = balancingLoad(robot, rival.adjusted.unknowns) - balancingLoad(robot, at);
+    const Wrench moved = difference(best.adjusted.unknowns.pose, rival.adjusted.unknowns.pose);
+    const Wrench load = balancingLoad(robot, rival.adjusted) - balancingLoad(robot, best.adjusted);
     certainty.pose += weight * (other.pose + moved * moved.transpose());
     certainty.load += weight * (other.load + load * load.transpose());
     certainty.load_unknown = certainty.load_unknown || other.load_unknown;

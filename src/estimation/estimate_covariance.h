@@ -8,7 +8,7 @@
 namespace cdpr_kinetostatics {
 
 // External load that balances the cables and the platform's weight.
-Wrench balancingLoad(const RobotDescription& robot, const RobotForces& at);
+Wrench balancingLoad(const RobotDescription& robot, const Adjusted& adjusted);
 
 // Covariances of pose and load, and what of them is unknown. They cover the answers of rivals, too, each by its
 // likelihood.

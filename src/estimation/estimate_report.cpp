@@ -11,7 +11,6 @@
 #include "robot/platform_error.h"
 #include "robot/platform_statics.h"
 #include "robot/solution_assembly.h"
-#include "robot/straight_rope.h"
 
 namespace cdpr_kinetostatics {
 namespace {
@@ -57,7 +56,7 @@ Estimate report(const MeasuredRobot& measured, Candidate* candidate, const std::
     estimate.tension_residual.push_back(measured.available.tensions[i] ? *measured.measurements.tensions[i] - tension
                                                                        : 0.0);
   }
-  estimate.load = balancingLoad(robot, at);
+  estimate.load = balancingLoad(robot, adjusted);
   std::vector<Candidate> others = rivals;
   others.insert(others.end(), unproven.begin(), unproven.end());
   fillCovariances(robot, *candidate, others, &estimate);

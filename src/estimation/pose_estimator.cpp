@@ -96,7 +96,7 @@ bool isSame(const Pose& a, const Pose& b) {
 class PoseEstimator::Tracker {
  public:
   Tracker(const RobotDescription& robot, const EstimatorOptions& options)
-      : robot_(robot), options_(options), seed_(robot.home), near_(robot.home) {}
+      : robot_(robot), robot_check_(checkRobot(robot)), options_(options), seed_(robot.home), near_(robot.home) {}
 
   Estimate update(const CableMeasurements& measurements);
   void reset(const Pose& seed);
@@ -121,6 +121,7 @@ class PoseEstimator::Tracker {
   void compete(MeasuredRobot* measured, const Pose& seed, bool wins_ties, Found* found) const;
 
   const RobotDescription& robot_;
+  const Status robot_check_;
   const EstimatorOptions options_;
   Pose seed_;
   Pose near_;  // last pose, or the seed
@@ -133,7 +134,7 @@ class PoseEstimator::Tracker {
 
 Estimate PoseEstimator::Tracker::update(const CableMeasurements& measurements) {
   const Clock::time_point begin = Clock::now();
-  Status check = checkMeasurements(robot_, measurements);
+  Status check = firstRefusal(robot_check_, checkMeasurements(robot_, measurements));
   if (check.ok()) check = checkPlausible(robot_, options_, measurements);
   Estimate estimate;
   if (check.ok()) {

@@ -76,8 +76,9 @@ Home::Response HomeService::solve(const Home::Request& request) {
     response.stddev = homing.stddev;
     response.applied = 1;
     std::string& message = response.report.message;
-    message = text("from ", samples.count(), " measurements: offsets changed by up to ",
-                   largestMagnitude(homing.corrections), " m, known to ", largestMagnitude(homing.stddev), " m");
+    message =
+        text("from ", samples.count(), " measurements: offsets changed by up to ", largestMagnitude(homing.corrections),
+             " m, known to ", largestMagnitude(homing.stddev), " m if the platform is exactly at this pose");
     if (!parameters_.offsets_file.empty()) {
       try {
         writeOffsets(parameters_.offsets_file, parameters_.robot, response.offsets);

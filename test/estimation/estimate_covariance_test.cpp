@@ -30,7 +30,7 @@ TEST_F(EstimateCovariance, IsTheInverseOfTheInformation) {
 }
 
 TEST_F(EstimateCovariance, NoLoadBalancesThePlatformAtTheTruth) {
-  const Wrench load = balancingLoad(simulated_.robot, best_.adjusted.unknowns);
+  const Wrench load = balancingLoad(simulated_.robot, best_.adjusted);
   EXPECT_LT(load.head<3>().norm(), 1e-5 * simulated_.robot.weight());
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pulley_robots.h"
 #include "simulated_measurements.h"
 
 namespace cdpr_kinetostatics {
@@ -27,6 +28,33 @@ TEST_P(EveryRobot, WithoutNoiseFindsThePoseTheForcesAndNoLoad) {
       EXPECT_NEAR(estimate.solution.cables[i].cable.tension_a, simulated.truth.cables[i].cable.tension_a,
                   1e-5 * simulated.robot.weight());
       EXPECT_FALSE(estimate.length_outlier[i] || estimate.tension_outlier[i]);
+    }
+  }
+}
+
+// Tracked while it moves; with the pulleys left out of the description the same messages lead elsewhere.
+TEST(RobotsOnGuidePulleys, AreTrackedWithoutErrorIfTheirPulleysAreDescribed) {
+  for (const char* name : {"cogiro", "ipanema3"}) {
+    const RobotDescription bare = shippedRobot(ROBOT_DIR, name);
+    for (const Model model : {Model::kCatenary, Model::kBending}) {
+      SCOPED_TRACE(testing::Message() << name << " " << modelName(model));
+      SimulatedRobot simulated = simulatedRobot(withPulleys(bare, 0.04, 5.0), model);
+      PoseEstimator knowing(simulated.robot, simulated.estimator);
+      PoseEstimator ignorant(bare, simulated.estimator);
+      const Pose start = simulated.truth.pose;
+      for (int i = 0; i < 10; ++i) {
+        Pose pose = start;
+        pose.position.x() += 0.005 * i;
+        ASSERT_TRUE(simulated.moveTo(pose));
+        const CableMeasurements exact = simulated.measure(simulated.truth, 0.0);
+        const Estimate estimate = knowing.update(exact);
+        ASSERT_TRUE(estimate.solution.report.status.ok()) << estimate.solution.report.status.message;
+        EXPECT_LT(poseError(estimate.solution.pose, simulated.truth.pose).norm(), 1e-7);
+        EXPECT_LT(estimate.load.head<3>().norm(), 1e-5 * simulated.robot.weight());
+        const Estimate wrong = ignorant.update(exact);
+        EXPECT_FALSE(wrong.solution.report.status.ok() &&
+                     poseError(wrong.solution.pose, simulated.truth.pose).norm() < 5e-3);
+      }
     }
   }
 }
@@ -185,6 +213,16 @@ TEST(PoseEstimator, TooLittleTimeIsSaidAndDoesNotLast) {
     EXPECT_FALSE(estimate.solution.report.status.message.empty());
     EXPECT_TRUE(isFinite(estimate.solution));
   }
+}
+
+TEST(PoseEstimatorOfAnImpossibleRobot, RefusesEveryMessage) {
+  SimulatedRobot simulated = simulatedRobot(ROBOT_DIR, "cogiro");
+  const CableMeasurements measurements = simulated.measure(simulated.truth, 0.0);
+  simulated.robot.com.x() = std::nan("");
+  PoseEstimator estimator(simulated.robot, simulated.estimator);
+  const Status status = estimator.update(measurements).solution.report.status;
+  EXPECT_EQ(status.code, Code::kInvalidInput);
+  EXPECT_NE(status.message.find("com"), std::string::npos) << status.message;
 }
 
 }  // namespace

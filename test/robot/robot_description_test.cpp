@@ -183,11 +183,11 @@ TEST(RobotDescription, UnknownKeysAreNamedInWarnings) {
   node["platform"]["position"]["quaternion"] = 1;
   node["cable"]["colour"] = "red";
   node["points"][1]["cable"]["stiffness"] = 3;
-  node["points"][2]["pulley"] = 0.1;
+  node["points"][2]["drum"] = 0.1;
   const std::vector<std::string> warnings = parseRobot(node).warnings;
   ASSERT_EQ(warnings.size(), 6u);
   for (const char* path : {"platfrom", "platform.weight", "platform.position.quaternion", "cable.colour",
-                           "points[1].cable.stiffness", "points[2].pulley"}) {
+                           "points[1].cable.stiffness", "points[2].drum"}) {
     const std::string expected = std::string(path) + " is ignored: no such key";
     EXPECT_NE(std::find(warnings.begin(), warnings.end(), expected), warnings.end()) << expected;
   }

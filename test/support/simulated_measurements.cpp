@@ -39,9 +39,12 @@ CableMeasurements SimulatedRobot::measure(const RobotSolution& state, double noi
 }
 
 SimulatedRobot simulatedRobot(const std::string& robot_directory, const std::string& name, Model model) {
+  return simulatedRobot(shippedRobot(robot_directory, name), model);
+}
+
+SimulatedRobot simulatedRobot(const RobotDescription& robot, Model model) {
   SimulatedRobot simulated;
-  simulated.robot = shippedRobot(robot_directory, name);
-  const RobotDescription& robot = simulated.robot;
+  simulated.robot = robot;
   simulated.estimator.model = model;
   simulated.estimator.timeout = patient(model).timeout;
   simulated.estimator.length_stddev = 5e-5 * robot.span();
@@ -58,7 +61,7 @@ SimulatedRobot simulatedRobot(const std::string& robot_directory, const std::str
     }
     if (simulated.moveTo(pose)) return simulated;
   }
-  throw std::runtime_error(name + " cannot be held near its home");
+  throw std::runtime_error(robot.name + " cannot be held near its home");
 }
 
 Wrench poseError(const Pose& estimated, const Pose& truth) {

@@ -24,8 +24,10 @@ struct SimulatedRobot {
   CableMeasurements measure(const RobotSolution& state, double noise);
 };
 
-// A robot of config/robots with deviations of 5e-5 of its span for lengths and 0.5 % of its weight for tensions.
-// Throws if the robot cannot be held.
+// With deviations of 5e-5 of its span for lengths and 0.5 % of its weight for tensions. Throws if the robot cannot be
+// held.
+SimulatedRobot simulatedRobot(const RobotDescription& robot, Model model = Model::kCatenary);
+// A robot of config/robots.
 SimulatedRobot simulatedRobot(const std::string& robot_directory, const std::string& name,
                               Model model = Model::kCatenary);
 

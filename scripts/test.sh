@@ -58,7 +58,8 @@ results=$workspace/build/test_results
 rm -rf "$results"
 export LSAN_OPTIONS=suppressions=$repository/test/lsan.supp:print_suppressions=0
 export ROS_HOME=${ROS_HOME:-$workspace/ros_home}
-check "test programs build and run" catkin_make -C "$workspace" -j"$(nproc)" run_tests
+# One job more than processors: tests of nodes mostly wait.
+check "test programs build and run" catkin_make -C "$workspace" -j"$(($(nproc) + 1))" run_tests
 if [ -z "$sanitize" ]; then
   check "benchmarks run" "$repository/scripts/benchmarks.sh" --quick
   check "no loop of links in the package" find -L "$workspace/src/cdpr_kinetostatics" -name package.xml

@@ -121,7 +121,6 @@ LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
   const auto settled = [&](double reached) {
     return found.length && (search.hint <= 0.0 || reached - search.hint > std::abs(*found.length - search.hint));
   };
-
   for (int i = 0; i < kMaxSamples && sample->length < search.longest && !settled(sample->length); ++i) {
     const TensionSample last = *sample;
     const double above = last.tension - search.tension;
@@ -144,6 +143,7 @@ LengthFound searchLength(const TensionCurve& curve, LengthSearch search) {
     std::optional<TensionSample> root;
     if ((above > 0.0) != (sample->tension > search.tension)) {
       root = refine(curve, last, *sample, same, excess);
+      if (!root && !found.length) return {std::nullopt, found.least_tension, false};  // passed, but not reached
     } else if (above > 0.0 && last.slope < 0.0 && sample->slope > 0.0) {
       const std::optional<TensionSample> fold = refine(curve, last, *sample, 0.0, slope);
       if (!fold) continue;

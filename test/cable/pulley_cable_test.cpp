@@ -262,5 +262,20 @@ TEST(CableOnPulley, ASlackLineHangsFromItsTangentPoint) {
   EXPECT_NEAR(line.free_length, 12.0 - 0.2 * line.wrap_angle, 1e-5);  // but for the stretch by its weight
 }
 
+// So taut that the length hardly follows from the tension: the length near its hint or none, never the loop of
+// thousands of metres that hangs with the same tension.
+TEST(InextensibleCatenaryOnPulley, HasNoFarLengthInsteadOfANearOne) {
+  const CableProperties rope{14058.0, 0.0, 0.2105, {0.0868, RopeFrom::kBelow}};
+  const double near = straightWay(rope, 0.4759, 2.7204);
+  for (const double hint : {0.0, near}) {
+    const CableSolution found = findLength(rope, 0.4759, 2.7204, 999.6, hint, optionsOf(Model::kCatenaryInextensible));
+    if (found.status.ok()) {
+      EXPECT_NEAR(found.length, near, 1e-4);
+    } else {
+      EXPECT_EQ(found.status.code, Code::kNotConverged) << found.status.message;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cdpr_kinetostatics

@@ -22,7 +22,6 @@ class FuzzedInput {
 
   bool flag() { return provider_.ConsumeBool(); }
   int count(int least, int most) { return provider_.ConsumeIntegralInRange<int>(least, most); }
-  bool exhausted() { return provider_.remaining_bytes() == 0; }
 
   // Between low and high, mostly; now and then any number.
   double number(double low, double high) {

@@ -61,6 +61,11 @@ double acceptedClosure(const CableSolution& solution, double tolerance) {
   return std::max(tolerance, kRounding) * size + kRounding * solution.end_jacobian.leftCols<2>().norm() * forces;
 }
 
+Status contactOf(const CableProperties& properties, const CableSolution& cable) {
+  if (isStraight(cable.model)) return checkWrap(properties.pulley, cable.angle_a);
+  return checkContact(properties, {cable.horizontal_force, cable.vertical_force_a}, cable.angle_a);
+}
+
 Status verdictOf(const SaggingCable& cable, const CableSolution& solution, double tolerance) {
   if (!isFinite(solution)) {
     return {Code::kNotConverged,
@@ -75,9 +80,7 @@ Status verdictOf(const SaggingCable& cable, const CableSolution& solution, doubl
     return {Code::kNotConverged,
             "the cable's segments do not join: " + named("the moment jumps by", solution.moment_residual, "N m")};
   }
-  const ForcesAtA forces{solution.horizontal_force, solution.vertical_force_a};
-  const Status contact = isStraight(solution.model) ? checkWrap(cable.properties().pulley, solution.angle_a)
-                                                    : checkContact(cable.properties(), forces, solution.angle_a);
+  const Status contact = contactOf(cable.properties(), solution);
   if (!contact.ok()) return contact;
   if (!cable.onBranch()) {
     return {Code::kWrongBranch, "the equilibrium found is not the sagging, stable one"};

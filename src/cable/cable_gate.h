@@ -18,4 +18,8 @@ double acceptedClosure(const CableSolution& solution, double tolerance);
 // its branch. Otherwise the code and the sentence that it deserves. Whatever its own status says is not looked at.
 Status verdictOf(const SaggingCable& cable, const CableSolution& solution, double tolerance);
 
+// Whether the rope lies on its guide pulley. The weight that a straight line lumps where it leaves says nothing of
+// that.
+Status contactOf(const CableProperties& properties, const CableSolution& cable);
+
 }  // namespace cdpr_kinetostatics

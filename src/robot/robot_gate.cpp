@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "cable/cable_gate.h"
-#include "cable/rope_on_pulley.h"
 #include "cable/text.h"
 
 namespace cdpr_kinetostatics {
@@ -33,13 +32,6 @@ double acceptedImbalance(const RobotDescription& robot, const RobotSolution& sol
     if (std::isfinite(stiffness)) by_rounding += kRounding * size * stiffness;
   }
   return kShare * std::max(tolerance, kRounding) * forces + by_rounding;
-}
-
-// Whether the rope lies on its guide pulley. The weight that a straight line lumps where it leaves says nothing of
-// that.
-Status contactOf(const CableProperties& properties, const CableSolution& cable) {
-  if (isStraight(cable.model)) return checkWrap(properties.pulley, cable.angle_a);
-  return checkContact(properties, {cable.horizontal_force, cable.vertical_force_a}, cable.angle_a);
 }
 
 bool isFinite(const RobotSolution& solution) {

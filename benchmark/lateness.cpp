@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 #include "hostile_messages.h"
 #include "hostile_requests.h"
+#include "processor_time.h"
 #include "ros/cable_service.h"
 #include "ros/forward_service.h"
 #include "ros/inverse_service.h"
@@ -20,13 +20,6 @@ namespace {
 constexpr double kAllowed = 5e-3;   // [s]
 constexpr double kShortest = 1e-3;  // timeouts asked for [s]
 constexpr double kLongest = 0.1;
-
-// Of this thread [s]: what other programs do meanwhile does not count.
-double processorTime() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 class Lateness {
  public:

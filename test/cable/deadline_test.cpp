@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <ctime>
 #include <ostream>
 
 #include "cdpr_kinetostatics/cable/cable_solver.h"
+#include "processor_time.h"
 #include "random_cables.h"
 
 namespace cdpr_kinetostatics {
@@ -34,13 +34,6 @@ const CableCase kNarrowLoops[] = {
      102.88928008994634,
      311.2},
 };
-
-// Processor time of this thread [s]: what others do meanwhile does not count.
-double processorTime() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 // A search that has lost its deadline goes on for seconds. How late the answers are, in milliseconds, is for the fuzzed
 // programs to measure: no test depends on the speed of the machine [s].
